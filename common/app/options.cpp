@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <fmt/format.h>
+
+#include "scene/errors.h"
+#include "scene/scene_file.h"
+
+namespace stagelight {
+namespace {
+
+constexpr int most_samples = 65536;
+constexpr int most_depth = 64;
+constexpr int most_frames = 1000000;
+
+std::pair<int, int> parse_size(const std::string &text) {
+    int width = 0;
+    int height = 0;
+    const char *end = text.data() + text.size();
+    const auto [after_width, width_error] = std::from_chars(text.data(), end, width);
+    const bool has_x = width_error == std::errc() && after_width != end && *after_width == 'x';
+    const auto [after_height, height_error] =
+        std::from_chars(has_x ? after_width + 1 : end, end, height);
+    if (!has_x || height_error != std::errc() || after_height != end || width < 1 || height < 1
+        || width > largest_image_size || height > largest_image_size) {
+        throw UserError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, 1 to {} each",
+                                    text, largest_image_size));
+    }
+    return {width, height};
+}
+
+std::string method_help() {
+    std::string help;
+    for (const Method &method : all_methods()) {
+        help += fmt::format("\n{}={}  ({})", method.kind, method.name, method.source);
+    }
+    return help;
+}
+
+}  // namespace
+
+std::filesystem::path default_out(const std::string &stage) {
+    return std::filesystem::path("out") / (stage + ".png");
+}
+
+std::optional<Options> parse_options(const std::string &stage, int argc, const char *const *argv) {
+    Options options;
+    options.scene = std::filesystem::path(STAGELIGHT_SCENES) / (stage + ".toml");
+    options.out = default_out(stage);
+    std::string size;
+    std::vector<std::string> methods;
+
+    CLI::App app("Stagelight " + stage + ": renders a scene with OpenCL", stage);
+    app.add_option("scene", options.scene, "a scene in TOML")->capture_default_str();
+    app.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's)");
+    app.add_option("--out", options.out, "picture to write, .png or .exr (linear float)")
+        ->capture_default_str();
+    app.add_option("--samples", options.samples, "rays through each pixel")
+        ->check(CLI::Range(1, most_samples))
+        ->capture_default_str();
+    app.add_option("--depth", options.depth, "bounces (default: the scene's)")
+        ->check(CLI::Range(0, most_depth));
+    app.add_option("--device", options.device,
+                   "index, name part, cpu or gpu (default: STAGELIGHT_DEVICE, else the first GPU, "
+                   "else the first device)");
+    app.add_option("--frames", options.frames, "render the picture this often, for --stats")
+        ->check(CLI::Range(1, most_frames))
+        ->capture_default_str();
+    app.add_option("--method", methods,
+                   "KIND=NAME, the first of a kind is the default:" + method_help())
+        ->take_all();
+    app.add_option("--kernels", options.kernels,
+                   "read the kernels from DIR, which holds kernels/ and stages/");
+    app.add_option("--stats", options.stats, "JSON file to write figures to");
+    app.add_flag("--list-devices", options.list_devices, "list the OpenCL devices, and leave");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp &) {
+        fmt::print("{}", app.help());
+        return std::nullopt;
+    } catch (const CLI::ParseError &error) {
+        throw UserError(fmt::format("{} (--help lists the options)", error.what()));
+    }
+    if (!size.empty()) {
+        options.size = parse_size(size);
+    }
+    for (const std::string &choice : methods) {
+        choose_method(options.methods, choice);
+    }
+    return options;
+}
+
+}  // namespace stagelight

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A scene on a device: a buffer for each argument that the kernel has, and no other.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "device/opencl.h"
+#include "device/texture_array.h"
+#include "scene/scene.h"
+
+namespace stagelight {
+
+class DeviceScene {
+public:
+    // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl), by its name.
+    // Throws as TextureArray does.
+    DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
+                const Scene &scene);
+
+    // What lies on the device, by argument.
+    const std::map<std::string, std::size_t> &bytes() const { return bytes_; }
+
+private:
+    std::map<std::string, cl::Buffer> buffers_;
+    std::optional<TextureArray> textures_;
+    std::map<std::string, std::size_t> bytes_;
+};
+
+// The names of a kernel's arguments, in order (it was built with -cl-kernel-arg-info).
+std::vector<std::string> argument_names(const cl::Kernel &kernel);
+
+}  // namespace stagelight

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "device/device_types.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace stagelight {
+
+device::float4 to_float4(const glm::dvec3 &v) {
+    return {{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F}};
+}
+
+device::Camera to_device(const CameraDescription &camera, int width, int height) {
+    const glm::dvec3 forward = glm::normalize(camera.look_at - camera.position);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double half_width = std::tan(glm::radians(camera.fov) / 2);
+    const double pixel = 2 * half_width / width;  // square
+    const glm::dvec3 corner = forward - half_width * right + half_width * height / width * up;
+    device::Camera result = {};
+    result.position = to_float4(camera.position);
+    result.corner = to_float4(corner);
+    result.right = to_float4(pixel * right);
+    result.down = to_float4(-pixel * up);
+    result.sample = {{0.5F, 0.5F}};
+    result.size = {{width, height}};
+    return result;
+}
+
+device::Material to_device(const Material &material, const std::vector<Texture> &textures) {
+    device::Material result = {};
+    result.color = to_float4(material.color);
+    result.texture = material.texture;
+    if (material.texture != no_texture) {
+        const Texture &texture = textures[static_cast<std::size_t>(material.texture)];
+        result.texture_size = {
+            {static_cast<float>(texture.width), static_cast<float>(texture.height)}};
+    }
+    switch (material.type) {
+    case MaterialType::diffuse:
+        result.type = device::MATERIAL_DIFFUSE;
+        break;
+    case MaterialType::mirror:
+        result.type = device::MATERIAL_MIRROR;
+        break;
+    case MaterialType::glossy:
+        result.type = device::MATERIAL_GLOSSY;
+        result.as.glossy.specularity = static_cast<float>(material.specularity);
+        break;
+    case MaterialType::dielectric:
+        result.type = device::MATERIAL_DIELECTRIC;
+        result.as.dielectric.absorption = to_float4(material.absorption);
+        result.as.dielectric.ior = static_cast<float>(material.ior);
+        break;
+    }
+    return result;
+}
+
+device::Light to_device(const Light &light) {
+    device::Light result = {};
+    result.color = to_float4(light.color * light.intensity);
+    if (light.type == LightType::point) {
+        result.type = device::LIGHT_POINT;
+        result.as.point.position = to_float4(light.position);
+        result.as.point.range = static_cast<float>(light.range);
+    } else {
+        result.type = device::LIGHT_DIRECTIONAL;
+        result.as.directional.direction = to_float4(light.direction);
+    }
+    return result;
+}
+
+device::Sphere to_device(const Sphere &sphere) {
+    return {to_float4(sphere.center), static_cast<float>(sphere.radius), sphere.material};
+}
+
+device::Plane to_device(const Plane &plane) {
+    return {to_float4(plane.normal), static_cast<float>(glm::dot(plane.normal, plane.point)),
+            plane.material};
+}
+
+device::Triangle to_device(const Triangle &triangle) {
+    return {{triangle.vertices[0], triangle.vertices[1], triangle.vertices[2]}, triangle.material};
+}
+
+}  // namespace stagelight

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "device/kernel_source.h"
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "scene/errors.h"
+
+namespace stagelight {
+namespace {
+
+std::string read_from_disk(const std::filesystem::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream.is_open() || stream.bad()) {
+        throw UserError(fmt::format("{}: can't be read; --kernels expects a folder that holds "
+                                    "kernels/ and stages/ as the repository does",
+                                    file.string()));
+    }
+    return text;
+}
+
+class Expansion {
+public:
+    explicit Expansion(const std::optional<std::filesystem::path> &checkout)
+        : checkout_(checkout) {}
+
+    void append(const std::string &path) {
+        if (!included_.insert(path).second) {
+            return;
+        }
+        text_ += fmt::format("#line 1 \"{}\"\n", path);
+        std::istringstream lines(read(path));
+        std::string line;
+        for (int number = 1; std::getline(lines, line); ++number) {
+            if (const std::optional<std::string> module = included_module(line)) {
+                append("kernels/" + *module);
+                text_ += fmt::format("#line {} \"{}\"\n", number + 1, path);
+            } else {
+                text_ += line + '\n';
+            }
+        }
+    }
+
+    std::string take() { return std::move(text_); }
+
+private:
+    static std::optional<std::string> included_module(const std::string &line) {
+        constexpr std::string_view start = "#include \"";
+        const std::size_t end = line.find('"', start.size());
+        if (!line.starts_with(start) || end == std::string::npos) {
+            return std::nullopt;
+        }
+        return line.substr(start.size(), end - start.size());
+    }
+
+    std::string read(const std::string &path) const {
+        if (checkout_) {
+            return read_from_disk(*checkout_ / path);
+        }
+        const auto found = embedded_sources.find(path);
+        if (found == embedded_sources.end()) {
+            throw std::logic_error(path + ": no such kernel inside this program");
+        }
+        return found->second;
+    }
+
+    const std::optional<std::filesystem::path> &checkout_;
+    std::set<std::string> included_;
+    std::string text_;
+};
+
+}  // namespace
+
+std::string kernel_source(const std::string &path,
+                          const std::optional<std::filesystem::path> &checkout) {
+    Expansion expansion(checkout);
+    expansion.append(path);
+    return expansion.take();
+}
+
+}  // namespace stagelight

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The kernels' text: inside the binary, or read from disk for work on them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace stagelight {
+
+// By path in the checkout: "kernels/ray.cl", "stages/01_primitives/kernel.cl", …
+extern const std::map<std::string, std::string, std::less<>> embedded_sources;
+
+// The text of `path` ("stages/NN_name/kernel.cl") with every #include "module" replaced by
+// kernels/module, each once, and #line directives, so that a compiler's message names the
+// module and its line. With `checkout`, a folder that holds kernels/ and stages/ as the
+// repository does, all of it is read from there. Throws UserError for a file that is missing.
+std::string kernel_source(const std::string &path,
+                          const std::optional<std::filesystem::path> &checkout = {});
+
+}  // namespace stagelight

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "device/scene_needs.h"
+
+#include <algorithm>
+#include <set>
+
+namespace stagelight {
+namespace {
+
+std::set<int> used_materials(const Scene &scene) {
+    std::set<int> used;
+    const auto use = [&used](const auto &shapes) {
+        for (const auto &shape : shapes) {
+            used.insert(shape.material);
+        }
+    };
+    use(scene.spheres);
+    use(scene.planes);
+    use(scene.triangles);
+    return used;
+}
+
+bool has_light(const Scene &scene, LightType type) {
+    return std::ranges::any_of(scene.lights,
+                               [type](const Light &light) { return light.type == type; });
+}
+
+void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
+    const std::set<int> used = used_materials(scene);
+    const auto uses = [&](MaterialType type) {
+        return std::ranges::any_of(used, [&](int index) {
+            return scene.materials[static_cast<std::size_t>(index)].type == type;
+        });
+    };
+    const bool dielectric = uses(MaterialType::dielectric);
+    const bool glossy = uses(MaterialType::glossy);
+    const bool diffuse = glossy || uses(MaterialType::diffuse);
+    const bool lit = diffuse && !scene.lights.empty();
+    needs.emplace_back("MATERIAL_COUNT", static_cast<int>(scene.materials.size()));
+    needs.emplace_back("LIGHT_COUNT", lit ? static_cast<int>(scene.lights.size()) : 0);
+    needs.emplace_back("HAS_POINT_LIGHT", lit && has_light(scene, LightType::point));
+    needs.emplace_back("HAS_DIRECTIONAL_LIGHT", lit && has_light(scene, LightType::directional));
+    needs.emplace_back("HAS_DIFFUSE", diffuse);
+    needs.emplace_back("HAS_REFLECTION", glossy || uses(MaterialType::mirror));
+    needs.emplace_back("HAS_DIELECTRIC", dielectric);
+    needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
+    needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
+    needs.emplace_back("MAX_DEPTH", max_depth);
+    // Only where a ray splits in two is one left waiting, at each depth.
+    needs.emplace_back("STACK_SIZE", dielectric ? max_depth + 1 : 1);
+}
+
+}  // namespace
+
+bool has_textured_mesh(const Scene &scene) {
+    return std::ranges::any_of(scene.triangles, [&scene](const Triangle &triangle) {
+        return scene.materials[static_cast<std::size_t>(triangle.material)].texture != no_texture;
+    });
+}
+
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth) {
+    SceneNeeds needs;
+    needs.emplace_back("SPHERE_COUNT", static_cast<int>(scene.spheres.size()));
+    needs.emplace_back("PLANE_COUNT", static_cast<int>(scene.planes.size()));
+    needs.emplace_back("TRIANGLE_COUNT", static_cast<int>(scene.triangles.size()));
+    if (stage > 1) {
+        add_shading_needs(needs, scene, max_depth);
+    }
+    std::erase_if(needs, [](const auto &need) {
+        return need.second == 0 && need.first != "MAX_DEPTH";  // a limit, not a count
+    });
+    return needs;
+}
+
+}  // namespace stagelight

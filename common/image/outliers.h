@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+
+namespace stagelight {
+
+// The pixel of the largest error of a kind.
+struct Worst {
+    double error = 0;
+    int x = -1, y = -1;
+
+    void see(double other, int other_x, int other_y) {
+        if (x < 0 || other > error) {
+            *this = {other, other_x, other_y};
+        }
+    }
+};
+
+struct Outliers {
+    int interior = 0, edge = 0, strays = 0;
+    Worst worst_interior, worst_edge, worst_stray;
+};
+
+// The pixels of a picture beyond the tolerance of the truth: those inside surfaces, those on an
+// edge that match a pixel of the 3x3 around, and strays, on an edge too, that match none.
+Outliers find_outliers(const Image &picture, const Image &truth,
+                       const std::vector<std::uint8_t> &edge, double tolerance);
+
+}  // namespace stagelight

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Where a ray met a surface, and how that surface lies there.
+#pragma once
+
+#include "reference/intersect.h"
+#include "reference/ray_tree.h"
+#include "reference/textures.h"
+#include "reference/triangle_tree.h"
+#include "scene/scene.h"
+
+namespace stagelight::reference {
+
+template <typename Number> struct Hit {
+    Number distance;
+    Vec<Number> point;
+    Vec<Number> shading_normal;    // N of docs/shading.md
+    Vec<Number> geometric_normal;  // G
+    Vec2<Number> texture_coordinates;
+    int material;
+    Number offset;      // rays from here start this far off the surface
+    Surface surface{};  // which one: World says
+    bool from_behind = false;
+};
+
+// The points are put back onto their surfaces, so that how far off they are does not grow
+// with the distance the ray came.
+template <typename Number>
+Hit<Number> sphere_hit(const Sphere &sphere, const Ray<Number> &ray, Number distance) {
+    const Vec<Number> center(sphere.center);
+    const auto radius = Number(sphere.radius);
+    const Vec<Number> normal = glm::normalize(ray.origin + distance * ray.direction - center);
+    return {.distance = distance,
+            .point = center + radius * normal,
+            .shading_normal = normal,
+            .geometric_normal = normal,
+            .texture_coordinates = sphere_coordinates(normal),
+            .material = sphere.material,
+            .offset = surface_offset(std::max(largest(center), radius))};
+}
+
+template <typename Number>
+Hit<Number> plane_hit(const Plane &plane, const Ray<Number> &ray, Number distance) {
+    const Vec<Number> normal(plane.normal), base(plane.point);
+    const Vec<Number> near = ray.origin + distance * ray.direction;
+    const Vec<Number> point = near - glm::dot(near - base, normal) * normal;
+    return {.distance = distance,
+            .point = point,
+            .shading_normal = normal,
+            .geometric_normal = normal,
+            .texture_coordinates = {0, 0},
+            .material = plane.material,
+            .offset = surface_offset(std::max(largest(point), largest(base)))};
+}
+
+// Normals and texture coordinates are blended between the corners (paper, section 6).
+template <typename Number>
+Hit<Number> triangle_hit(const Scene &scene, const Triangle &triangle,
+                         const TriangleHit<Number> &hit) {
+    const auto blend = [&](auto of_vertex) {
+        const auto at = [&](std::size_t i) {
+            return of_vertex(scene.vertices[triangle.vertices[i]]);
+        };
+        return (1 - hit.u - hit.v) * at(0) + hit.u * at(1) + hit.v * at(2);
+    };
+    const auto corners = corners_of<Number>(scene, triangle);
+    const auto normal = glm::normalize(blend([](auto &v) { return Vec<Number>(v.normal); }));
+    const auto geometric = glm::normalize(facing(corners));
+    return {
+        .distance = hit.distance,
+        .point = blend([](auto &v) { return Vec<Number>(v.position); }),
+        .shading_normal = normal,
+        .geometric_normal = glm::dot(geometric, normal) < 0 ? -geometric : geometric,
+        .texture_coordinates = blend([](auto &v) { return Vec2<Number>(v.texture_coordinates); }),
+        .material = triangle.material,
+        .offset =
+            surface_offset(std::max({largest(corners.a), largest(corners.b), largest(corners.c)}))};
+}
+
+// A surface seen from behind turns both its normals to the eye.
+template <typename Number>
+Hit<Number> turned_to_eye(Hit<Number> hit, const Vec<Number> &direction) {
+    hit.from_behind = glm::dot(hit.geometric_normal, direction) > 0;
+    if (hit.from_behind) {
+        hit.shading_normal = -hit.shading_normal;
+        hit.geometric_normal = -hit.geometric_normal;
+    }
+    return hit;
+}
+
+template <typename Number> void record(RayTree &tree, const Hit<Number> &hit) {
+    tree.surface = hit.surface;
+    tree.from_behind = hit.from_behind;
+    tree.point = glm::dvec3(hit.point);
+    tree.shading_normal = glm::dvec3(hit.shading_normal);
+    tree.geometric_normal = glm::dvec3(hit.geometric_normal);
+}
+
+}  // namespace stagelight::reference

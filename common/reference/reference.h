@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The reference: a Whitted tracer in C++, recursive, in a number type of choice, for
+// reading beside the paper and for judging the kernels, with which it shares no
+// intersection or shading code.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+#include "image/image.h"
+#include "scene/scene.h"
+
+namespace stagelight::reference {
+
+// What the light does inside a dielectric sphere.
+enum class Interior {
+    full,   // every inner reflection, up to the depth limit
+    paper,  // the paper's single pass: in, absorbed, out
+};
+
+struct Settings {
+    int width = 320;
+    int height = 192;
+    int max_depth = 8;
+    Interior interior = Interior::full;
+};
+
+struct Result {
+    Image image;
+    std::vector<std::uint8_t>
+        edge;  // 1 where a pixel's ray tree differs from a neighbour's, dilated by one
+};
+
+// What stage 01 shows of a scene; every other stage shows its light.
+enum class Shown { light, normals_and_distances };
+
+// Renders with one ray through each pixel's centre, on all cores. Number is float,
+// double or long double.
+template <typename Number>
+Result render(const Scene &scene, const Settings &settings, Shown shown = Shown::light);
+
+// For each of `pixels` (column, row) the colours at points around its centre, at distances from
+// a hundred-thousandth of a pixel to `reach` pixels. A device that rounds differently stands on the
+// other side of an edge, and sees what is there: one of these.
+std::vector<std::vector<glm::vec3>> colors_around(const Scene &scene, const Settings &settings,
+                                                  const std::vector<glm::ivec2> &pixels,
+                                                  double reach);
+
+}  // namespace stagelight::reference

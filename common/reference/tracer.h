@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Whitted's recursion (An Improved Illumination Model for Shaded Display, 1980; paper,
+// sections 2, 4 and 5), with the exact rules of docs/shading.md.
+#pragma once
+
+#include "reference/direct_light.h"
+#include "reference/optics.h"
+#include "reference/reference.h"
+
+namespace stagelight::reference {
+
+template <typename Number> class Tracer {
+public:
+    Tracer(const World<Number> &world, const Settings &settings)
+        : world_(world), scene_(world.scene()), settings_(settings) {}
+
+    // What the ray sees.
+    Vec<Number> light(const Ray<Number> &ray, RayTree &tree) const { return trace(ray, {}, tree); }
+
+private:
+    // How a ray came to be.
+    struct Path {
+        int depth = 0;
+        const Material *medium = nullptr;  // the dielectric it is inside of; none is air
+        Vec<Number> weight{1};             // the share of what it sees in the pixel
+    };
+
+    // A hit with all that shading asks of it.
+    struct Meeting {
+        Hit<Number> hit;
+        Vec<Number> direction;  // of the ray
+        Path path;              // of the ray, its weight as it is at the hit
+        const Material &material;
+        Vec<Number> color;  // the material's, times the texel
+        RayTree &tree;
+    };
+
+    Vec<Number> trace(const Ray<Number> &ray, Path path, RayTree &tree) const;
+    Vec<Number> shade(const Meeting &at) const;
+    Vec<Number> reflected(const Meeting &at, const Material *medium,
+                          const Vec<Number> &share) const;
+    Vec<Number> dielectric(const Meeting &at) const;
+    Vec<Number> through_interior(const Meeting &at, const Vec<Number> &inward,
+                                 const Vec<Number> &share) const;
+    Vec<Number> spawn(const Meeting &at, const Ray<Number> &ray, const Material *medium,
+                      const Vec<Number> &share) const;
+
+    Vec<Number> color_of(const Material &material, const Hit<Number> &hit) const {
+        const Vec<Number> color(material.color);
+        return material.texture == no_texture
+                   ? color
+                   : color
+                         * sample_texture(scene_.textures[std::size_t(material.texture)],
+                                          hit.texture_coordinates);
+    }
+
+    const World<Number> &world_;
+    const Scene &scene_;
+    const Settings &settings_;
+};
+
+template <typename Number>
+Vec<Number> Tracer<Number>::trace(const Ray<Number> &ray, Path path, RayTree &tree) const {
+    tree.weight = double(largest(path.weight));
+    const auto hit = world_.closest_hit(ray);
+    if (!hit)
+        return Vec<Number>(scene_.background);
+    const Vec<Number> left =
+        path.medium ? transmittance(Vec<Number>(path.medium->absorption), hit->distance)
+                    : Vec<Number>(1);
+    path.weight *= left;
+    tree.weight = double(largest(path.weight));
+    record(tree, *hit);
+    const Material &material = scene_.materials[std::size_t(hit->material)];
+    return left * shade({*hit, ray.direction, path, material, color_of(material, *hit), tree});
+}
+
+template <typename Number> Vec<Number> Tracer<Number>::shade(const Meeting &at) const {
+    const auto s = Number(at.material.specularity);
+    switch (at.material.type) {
+    case MaterialType::diffuse:
+        return at.color * direct_light(world_, at.hit, at.tree.shadows);
+    case MaterialType::mirror:
+        return reflected(at, at.path.medium, at.color);
+    case MaterialType::glossy:
+        return (1 - s) * at.color * direct_light(world_, at.hit, at.tree.shadows)
+               + reflected(at, at.path.medium, s * at.color);
+    case MaterialType::dielectric:
+        return dielectric(at);
+    }
+    return {};
+}
+
+template <typename Number>
+Vec<Number> Tracer<Number>::reflected(const Meeting &at, const Material *medium,
+                                      const Vec<Number> &share) const {
+    const Hit<Number> &hit = at.hit;
+    const auto direction = reflect(at.direction, hit.shading_normal, hit.geometric_normal);
+    return spawn(at, ray_off_surface(hit.point, hit.geometric_normal, direction, hit.offset),
+                 medium, share);
+}
+
+// Snell, Schlick and Beer (docs/shading.md, "Dielectrics").
+template <typename Number> Vec<Number> Tracer<Number>::dielectric(const Meeting &at) const {
+    const Hit<Number> &hit = at.hit;
+    const auto ior = Number(at.material.ior);
+    const Number n1 = hit.from_behind ? ior : 1, n2 = hit.from_behind ? 1 : ior;
+    const auto refraction = refract(at.direction, hit.shading_normal, n1, n2);
+    const Number cosine1 = -glm::dot(at.direction, hit.shading_normal);
+    const Number F = refraction ? schlick(n1, n2, cosine1, refraction->cosine) : 1;
+
+    const bool single_pass =
+        settings_.interior == Interior::paper && hit.surface.kind == Surface::Kind::sphere;
+    Vec<Number> sum(0);
+    if (!(single_pass && hit.from_behind))
+        sum += reflected(at, hit.from_behind ? &at.material : at.path.medium, F * at.color);
+    if (!refraction)
+        return sum;
+    if (single_pass && !hit.from_behind)
+        return sum + through_interior(at, refraction->direction, (1 - F) * at.color);
+    return sum
+           + spawn(
+               at,
+               ray_off_surface(hit.point, hit.geometric_normal, refraction->direction, hit.offset),
+               hit.from_behind ? nullptr : &at.material, (single_pass ? 1 : 1 - F) * at.color);
+}
+
+// The paper's section 5: from the hit along `inward` to the sphere's far wall, absorbed on the
+// way, and out, with no reflection inside.
+template <typename Number>
+Vec<Number> Tracer<Number>::through_interior(const Meeting &at, const Vec<Number> &inward,
+                                             const Vec<Number> &share) const {
+    const Hit<Number> &hit = at.hit;
+    const auto radius = Number(scene_.spheres[std::size_t(hit.surface.index)].radius);
+    const Number chord = -2 * radius * glm::dot(inward, hit.geometric_normal);
+    const Vec<Number> far_wall = hit.point + chord * inward;
+    const Vec<Number> far_normal = hit.geometric_normal + chord / radius * inward;
+    const auto outward = refract(inward, -far_normal, Number(at.material.ior), Number(1));
+    if (!outward)
+        return Vec<Number>(0);
+    return spawn(at, ray_off_surface(far_wall, far_normal, outward->direction, hit.offset), nullptr,
+                 share * transmittance(Vec<Number>(at.material.absorption), chord));
+}
+
+// What a ray that starts at a hit adds to what is seen there. Rays too deep are dropped, and
+// with them what rounding swallows: glass facing glass would spawn two rays of each.
+template <typename Number>
+Vec<Number> Tracer<Number>::spawn(const Meeting &at, const Ray<Number> &ray, const Material *medium,
+                                  const Vec<Number> &share) const {
+    if (at.path.depth == settings_.max_depth)
+        return Vec<Number>(0);
+    RayTree &child = at.tree.children.emplace_back();
+    const Path path{at.path.depth + 1, medium, at.path.weight * share};
+    if (largest(path.weight) < std::numeric_limits<Number>::epsilon())
+        return Vec<Number>(0);
+    const Vec<Number> seen = share * trace(ray, path, child);
+    if (child.weight < least_weight)
+        child.children.clear();  // nobody looks at them; spares memory
+    return seen;
+}
+
+}  // namespace stagelight::reference

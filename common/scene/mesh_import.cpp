@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "scene/mesh_import.h"
+
+#include <ranges>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scene/errors.h"
+#include "scene/mesh_file.h"
+#include "scene/mesh_materials.h"
+#include "scene/placed_mesh.h"
+
+namespace stagelight {
+
+namespace {
+
+glm::dmat4 matrix_of(const Placement &placement) {
+    const glm::dvec3 angles = glm::radians(placement.rotation);
+    glm::dmat4 matrix = glm::translate(glm::dmat4(1), placement.position);
+    matrix = glm::rotate(matrix, angles.z, glm::dvec3(0, 0, 1));
+    matrix = glm::rotate(matrix, angles.y, glm::dvec3(0, 1, 0));
+    matrix = glm::rotate(matrix, angles.x, glm::dvec3(1, 0, 0));
+    return glm::scale(matrix, placement.scale);
+}
+
+// Assimp writes matrices row by row, GLM column by column.
+glm::dmat4 to_glm(const aiMatrix4x4 &m) {
+    return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4,  //
+                                     m.b1, m.b2, m.b3, m.b4,  //
+                                     m.c1, m.c2, m.c3, m.c4,  //
+                                     m.d1, m.d2, m.d3, m.d4));
+}
+
+// Calls `visit` with each mesh that the graph places, and how. Not recursive: graphs are deep.
+template <typename Visit>
+void for_each_placed(const aiScene &scene, const glm::dmat4 &placing, const Visit &visit) {
+    std::vector<std::pair<const aiNode *, glm::dmat4>> open{{scene.mRootNode, placing}};
+    while (!open.empty()) {
+        const auto [node, parent_to_world] = open.back();
+        open.pop_back();
+        if (node) {  // Assimp's reader of RAW leaves holes
+            const glm::dmat4 to_world = parent_to_world * to_glm(node->mTransformation);
+            for (const unsigned mesh : std::span(node->mMeshes, node->mNumMeshes)) {
+                visit(*scene.mMeshes[mesh], to_world);
+            }
+            for (const aiNode *child :  // the first is visited first
+                 std::span(node->mChildren, node->mNumChildren) | std::views::reverse) {
+                open.emplace_back(child, to_world);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
+                 int material, const SourceLocation &where) {
+    const auto refuse = [&](const char *what) {
+        throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
+    };
+    const MeshFile meshes(file, where);
+    MeshMaterials materials(scene, meshes.scene(), file, where);
+    const bool needs_coordinates =
+        material != material_of_file
+        && scene.materials[static_cast<std::size_t>(material)].texture != no_texture;
+    const std::size_t triangles_before = scene.triangles.size();
+    scene.meshes.push_back({.file = file, .where = where});
+    for_each_placed(
+        meshes.scene(), matrix_of(placement), [&](const aiMesh &mesh, const glm::dmat4 &to_world) {
+            if (needs_coordinates && !mesh.HasTextureCoords(0)) {
+                refuse("has no texture coordinates, expected a material without a texture");
+            }
+            const Look look =
+                material == material_of_file ? materials.look_of(mesh) : Look{.material = material};
+            if (!append_placed(scene, mesh, to_world, look)) {
+                refuse("is placed out of reach, expected coordinates of at most 1e18");
+            }
+        });
+    if (scene.triangles.size() == triangles_before) {
+        refuse("has no triangles, expected at least one with an area");
+    }
+}
+
+}  // namespace stagelight

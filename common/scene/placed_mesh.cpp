@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "scene/placed_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/vector_relational.hpp>
+
+#include "scene/number_rules.h"
+#include "scene/unit_vector.h"
+
+namespace stagelight {
+
+namespace {
+
+glm::dvec3 to_glm(const aiVector3D &v) {
+    return {v.x, v.y, v.z};
+}
+
+bool is_finite(const glm::dvec3 &v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_direction(const glm::dvec3 &v) {
+    return is_finite(v) && v != glm::dvec3(0);
+}
+
+// At right angles to the triangle, not of unit length; zero if it has no area but for rounding.
+glm::dvec3 perpendicular(const std::array<glm::dvec3, 3> &corners) {
+    const glm::dvec3 b = corners[1] - corners[0];
+    const glm::dvec3 c = corners[2] - corners[0];
+    const glm::dvec3 cross = glm::cross(b, c);
+    const double longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
+    return glm::length(cross) > 1e-12 * longest * longest ? cross : glm::dvec3(0);
+}
+
+// What makes a vertex the same as another. Assimp's JoinIdenticalVertices also joins some that
+// are less than 1e-5 apart, which is all of a mesh that is small enough.
+using Key = std::array<float, 8>;
+
+Key key_of(const aiVector3D &position, const aiVector3D &normal, const aiVector3D &uv) {
+    Key key{position.x, position.y, position.z, normal.x, normal.y, normal.z, uv.x, uv.y};
+    std::transform(key.begin(), key.end(), key.begin(), [](float v) { return v + 0.0F; });  // no -0
+    return key;
+}
+
+struct KeyHash {
+    std::size_t operator()(const Key &key) const {
+        return std::hash<std::string_view>()(
+            {reinterpret_cast<const char *>(key.data()), sizeof key});
+    }
+};
+
+class PlacedMesh {
+public:
+    PlacedMesh(Scene &scene, const aiMesh &mesh, const glm::dmat4 &to_world, const Look &look)
+        : scene_(scene), mesh_(mesh), to_world_(to_world),
+          normals_to_world_(glm::inverseTranspose(glm::dmat3(to_world))),
+          is_mirrored_(glm::determinant(glm::dmat3(to_world)) < 0), look_(look) {}
+
+    bool append() {
+        for (const aiFace &face : std::span(mesh_.mFaces, mesh_.mNumFaces)) {
+            if (face.mNumIndices == 3 && !append(face)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    bool append(const aiFace &face) {
+        std::array corners{face.mIndices[0], face.mIndices[1], face.mIndices[2]};
+        if (is_mirrored_) {  // or the front would become the back
+            std::swap(corners[1], corners[2]);
+        }
+        std::array<glm::dvec3, 3> positions;
+        for (std::size_t i = 0; i < 3; ++i) {
+            positions[i] = to_world_ * glm::dvec4(to_glm(mesh_.mVertices[corners[i]]), 1);
+            if (!glm::all(glm::lessThanEqual(glm::abs(positions[i]), glm::dvec3(largest_number)))) {
+                return false;
+            }
+        }
+        if (const glm::dvec3 facing = perpendicular(positions); is_direction(facing)) {
+            Triangle triangle{.material = look_.material,
+                              .mesh = static_cast<int>(scene_.meshes.size()) - 1};
+            for (std::size_t i = 0; i < 3; ++i) {
+                triangle.vertices[i] = vertex(corners[i], positions[i], facing);
+            }
+            scene_.triangles.push_back(triangle);
+        }
+        return true;
+    }
+
+    // Shared by the triangles that use it; `facing` serves where the file's normal is no direction.
+    std::uint32_t vertex(unsigned index, const glm::dvec3 &position, const glm::dvec3 &facing) {
+        const aiVector3D uv = coordinates(index);
+        const auto [known, is_new] =
+            index_of_.try_emplace(key_of(mesh_.mVertices[index], mesh_.mNormals[index], uv),
+                                  static_cast<std::uint32_t>(scene_.vertices.size()));
+        if (is_new) {
+            const glm::dvec3 normal = normals_to_world_ * to_glm(mesh_.mNormals[index]);
+            scene_.vertices.push_back(
+                {.position = position,
+                 .normal = unit_vector(is_direction(normal) ? normal : facing),
+                 .texture_coordinates = {uv.x, uv.y}});
+        }
+        return known->second;
+    }
+
+    aiVector3D coordinates(unsigned index) const {
+        if (!mesh_.HasTextureCoords(look_.coordinates)) {
+            return {};
+        }
+        const aiVector3D uv = mesh_.mTextureCoords[look_.coordinates][index];
+        return is_finite(to_glm(uv)) ? uv : aiVector3D();
+    }
+
+    Scene &scene_;
+    const aiMesh &mesh_;
+    glm::dmat4 to_world_;
+    glm::dmat3 normals_to_world_;
+    bool is_mirrored_;
+    Look look_;
+    std::unordered_map<Key, std::uint32_t, KeyHash> index_of_;
+};
+
+}  // namespace
+
+bool append_placed(Scene &scene, const aiMesh &mesh, const glm::dmat4 &to_world, const Look &look) {
+    return PlacedMesh(scene, mesh, to_world, look).append();
+}
+
+}  // namespace stagelight

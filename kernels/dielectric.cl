@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 04: glass. What is reflected, what goes through, and what is lost inside.
+#include "ray_stack.cl"
+#include "reflection.cl"
+
+// #region refract
+// Snell's law in vectors; `ratio` is the index of refraction on the side of `normal` over that
+// beyond. False where there is no such direction: total internal reflection.
+static bool refract(const float3 direction, const float3 normal, const float ratio,
+                    float3 *refracted) {
+    const float cosine = -dot(direction, normal);
+    const float sine_squared = ratio * ratio * (1.0f - cosine * cosine);
+    if (sine_squared > 1.0f) {
+        return false;
+    }
+    const float beyond = ratio * cosine - sqrt(1.0f - sine_squared);
+    *refracted = normalize(ratio * direction + beyond * normal);
+    return true;
+}
+// #endregion refract
+
+// #region schlick
+// The reflected share (Schlick, An Inexpensive BRDF Model for Physically-based Rendering,
+// 1994). `cosine` is that of the larger angle, the one on the side of the smaller index.
+static float schlick(const float cosine, const float ior) {
+    const float root = (1.0f - ior) / (1.0f + ior);
+    const float head_on = root * root;
+    const float slope = 1.0f - cosine;
+    const float slope_squared = slope * slope;
+    return head_on + (1.0f - head_on) * slope_squared * slope_squared * slope;
+}
+// #endregion schlick
+
+// #region beer
+// The share of the light that is left after a way through an absorbing medium (Beer's law).
+static float3 transmittance(const float3 absorption, const float distance) {
+    return exp(-absorption * distance);
+}
+// #endregion beer
+
+// #region interface
+// What a ray meets at the surface of a dielectric: the share that is reflected and, unless
+// that is all, the direction of the rest.
+typedef struct Interface {
+    float reflectance;
+    float3 refracted;
+} Interface;
+
+static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
+    Interface interface;
+    const float ratio = surface->from_behind ? ior : 1.0f / ior;
+    if (!refract(direction, surface->normal, ratio, &interface.refracted)) {
+        interface.reflectance = 1.0f;
+        return interface;
+    }
+    const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
+    interface.reflectance = schlick(fabs(dot(thinner_side, surface->normal)), ior);
+    return interface;
+}
+// #endregion interface
+
+// #region spawn_dielectric
+// At every wall, inside as outside, one ray is reflected and one goes through.
+static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
+                             const DielectricMaterial *glass, const float3 weight,
+                             RayCounts *counts) {
+    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
+    spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
+    if (interface.reflectance < 1.0f) {
+        PendingRay refracted;
+        refracted.ray.origin = origin_off(surface, interface.refracted);
+        refracted.ray.direction = interface.refracted;
+        refracted.weight = weight * (1.0f - interface.reflectance);
+        refracted.depth = incoming->depth + 1;
+        refracted.absorption = surface->from_behind ? (float3)(0.0f) : glass->absorption.xyz;
+        push_ray(stack, refracted, &counts->refraction, &counts->dropped);
+    }
+}
+// #endregion spawn_dielectric
+
+// #region interior_paper
+// The paper's way (section 5): once through the sphere and out, no reflection inside.
+#if METHOD_INTERIOR_PAPER
+// From a point on a sphere, the point of the ray nearest the centre is half-way to the other wall.
+static float intersect_ray_inside_sphere(const Ray ray, const float3 center) {
+    return 2.0f * dot(center - ray.origin, ray.direction);
+}
+
+static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
+                                 const Surface *surface, const DielectricMaterial *glass,
+                                 const float3 center, const float3 weight, RayCounts *counts) {
+    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
+    PendingRay leaving = *incoming;
+    leaving.weight = weight;
+    ++leaving.depth;
+    leaving.ray.direction = interface.refracted;
+    leaving.ray.origin = origin_off(surface, interface.refracted);
+    bool leaves = interface.reflectance < 1.0f;
+    if (!surface->from_behind) {
+        spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
+        const Ray inside = {surface->position, interface.refracted};
+        const float chord = intersect_ray_inside_sphere(inside, center);
+        const float3 exit = inside.origin + chord * inside.direction;
+        const float3 inward = normalize(center - exit);
+        leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
+        leaving.weight *= 1.0f - interface.reflectance;
+        leaving.weight *= transmittance(glass->absorption.xyz, chord);
+        leaving.ray.origin = exit - surface->offset * inward;
+    }
+    if (leaves) {
+        push_ray(stack, leaving, &counts->refraction, &counts->dropped);
+    }
+}
+#endif
+// #endregion interior_paper

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 02: diffuse shading, the light that a surface gets straight from lights.
+#include "light.cl"
+#include "ray_counts.cl"
+
+// #region direct_light
+// The sum over the lights that the point sees, of Lambert's cosine times irradiance (the 1/pi of
+// a diffuse surface is taken to be in the lights).
+static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
+    float3 sum = (float3)(0.0f);
+#if LIGHT_COUNT > 0
+    for (int i = 0; i < LIGHT_COUNT; ++i) {
+        const Light light = scene->lights[i];
+        const Illumination illumination = light_at(light, surface->position);
+        const float cosine = dot(surface->normal, illumination.direction);
+        if (cosine > 0.0f) {
+            ++counts->shadow;
+            if (!in_shadow(scene, light, origin_off(surface, illumination.direction))) {
+                sum += cosine * illumination.irradiance;
+            }
+        }
+    }
+#endif
+    return sum;
+}
+// #endregion direct_light

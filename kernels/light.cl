@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 02: how much light arrives at a point, and whether it does.
+#include "any_hit.cl"
+
+// #region light_at
+typedef struct Illumination {
+    float3 direction;   // towards the light, unit length
+    float3 irradiance;  // on a surface that faces the light
+} Illumination;
+
+#if HAS_POINT_LIGHT
+// Inverse square falloff, windowed to end at the range without a step (Lagarde and de
+// Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 3.1.3).
+static Illumination point_light_at(const Light light, const float3 position) {
+    const float3 to_light = light.as.point.position.xyz - position;
+    const float distance = length(to_light);
+    const float share = distance / light.as.point.range;
+    const float window = max(0.0f, 1.0f - share * share * share * share);
+    const Illumination illumination = {to_light / distance,
+                                       light.color.xyz * (window * window / (distance * distance))};
+    return illumination;
+}
+#endif
+
+#if HAS_DIRECTIONAL_LIGHT
+static Illumination directional_light_at(const Light light) {
+    const Illumination illumination = {-light.as.directional.direction.xyz, light.color.xyz};
+    return illumination;
+}
+#endif
+
+#if LIGHT_COUNT > 0
+static Illumination light_at(const Light light, const float3 position) {
+#if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
+    return light.type == LIGHT_POINT ? point_light_at(light, position)
+                                     : directional_light_at(light);
+#elif HAS_POINT_LIGHT
+    return point_light_at(light, position);
+#else
+    return directional_light_at(light);
+#endif
+}
+#endif
+// #endregion light_at
+
+// #region in_shadow
+// A point light is at the end of a line: what stands behind it casts no shadow. A
+// directional light has no place, and its shadow ray no end.
+#if LIGHT_COUNT > 0
+static bool in_shadow(const Scene *scene, const Light light, const float3 origin) {
+#if HAS_POINT_LIGHT
+    if (light.type == LIGHT_POINT) {
+        const Line line = {origin, light.as.point.position.xyz};
+        return any_hit_line(scene, line);
+    }
+#endif
+#if HAS_DIRECTIONAL_LIGHT
+    const Ray ray = {origin, -light.as.directional.direction.xyz};
+    return any_hit_ray(scene, ray);
+#else
+    return false;
+#endif
+}
+#endif
+// #endregion in_shadow

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 02: counting rays, to know what a picture costs.
+#include "scene_types.h"
+
+// #region ray_counts
+// Adds one work-item's counts to those of its row, which its neighbours add to as well.
+static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
+    if (counts.shadow > 0) {
+        atomic_add(&row->shadow, counts.shadow);
+    }
+    if (counts.reflection > 0) {
+        atomic_add(&row->reflection, counts.reflection);
+    }
+    if (counts.refraction > 0) {
+        atomic_add(&row->refraction, counts.refraction);
+    }
+    if (counts.dropped > 0) {
+        atomic_add(&row->dropped, counts.dropped);
+    }
+}
+// #endregion ray_counts

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// The structs that the host fills and the kernels read: this file is compiled as C++ and as
+// OpenCL C. float4 only, never float3: its size and alignment are the same everywhere.
+// Lengths in scene units, world space, right-handed, y up; colours linear.
+#ifndef STAGELIGHT_SCENE_TYPES_H
+#define STAGELIGHT_SCENE_TYPES_H
+
+#ifdef __OPENCL_VERSION__
+#pragma OPENCL FP_CONTRACT OFF
+#else
+#include <cstddef>
+
+#include <CL/cl_platform.h>
+
+namespace stagelight::device {
+using float2 = cl_float2;
+using float4 = cl_float4;
+using int2 = cl_int2;
+using uint = cl_uint;
+#endif
+
+// #region camera
+// The point (x, y) of the picture, in pixels from its upper left corner, is seen in the
+// direction corner + x * right + y * down (not of unit length).
+typedef struct Camera {
+    float4 position;
+    float4 corner;
+    float4 right;   // one pixel to the right
+    float4 down;    // one pixel down
+    float2 sample;  // the point of a pixel that is sampled, in [0, 1)
+    int2 size;      // the picture's, pixels
+} Camera;
+// #endregion camera
+
+typedef enum MaterialType {
+    MATERIAL_DIFFUSE,
+    MATERIAL_MIRROR,
+    MATERIAL_GLOSSY,
+    MATERIAL_DIELECTRIC,
+} MaterialType;
+
+// #region material
+typedef struct GlossyMaterial {
+    float specularity;  // the reflected share, [0, 1]
+} GlossyMaterial;
+
+typedef struct DielectricMaterial {
+    float4 absorption;  // Beer's coefficient, per scene unit; w unused
+    float ior;          // index of refraction, > 0
+} DielectricMaterial;
+
+// A type and what only that type needs (paper, section 2).
+typedef struct Material {
+    float4 color;  // linear, [0, 1]; w unused
+    union {
+        GlossyMaterial glossy;
+        DielectricMaterial dielectric;
+    } as;
+    float2 texture_size;  // texels, without the border
+    int texture;          // layer of the texture array, -1 for none
+    int type;             // MaterialType
+} Material;
+// #endregion material
+
+typedef enum LightType { LIGHT_POINT, LIGHT_DIRECTIONAL } LightType;
+
+typedef struct PointLight {
+    float4 position;  // w unused
+    float range;      // no light beyond; INFINITY for none
+} PointLight;
+
+typedef struct DirectionalLight {
+    float4 direction;  // the way the light travels, unit length; w unused
+} DirectionalLight;
+
+typedef struct Light {
+    float4 color;  // colour times intensity; w unused
+    union {
+        PointLight point;
+        DirectionalLight directional;
+    } as;
+    int type;  // LightType
+} Light;
+
+typedef struct Sphere {
+    float4 center;  // w unused
+    float radius;
+    int material;
+} Sphere;
+
+// All p with dot(normal, p) = offset.
+typedef struct Plane {
+    float4 normal;  // unit length; w unused
+    float offset;
+    int material;
+} Plane;
+
+// Three indices into the vertex buffers, counter-clockwise seen from outside.
+typedef struct Triangle {
+    uint vertices[3];
+    int material;
+} Triangle;
+
+// How many rays of a kind were traced, and how many the depth limit dropped: one a row of
+// the picture, so that no count outgrows 32 bits and few work-items meet at one.
+typedef struct RayCounts {
+    uint shadow;
+    uint reflection;
+    uint refraction;
+    uint dropped;
+} RayCounts;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64
+              && offsetof(Camera, size) == 72);
+static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16
+              && offsetof(Material, texture_size) == 48 && offsetof(Material, texture) == 56
+              && offsetof(Material, type) == 60 && offsetof(DielectricMaterial, ior) == 16);
+static_assert(sizeof(Light) == 64 && offsetof(Light, as) == 16 && offsetof(Light, type) == 48
+              && offsetof(PointLight, range) == 16);
+static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
+              && offsetof(Sphere, material) == 20);
+static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
+              && offsetof(Plane, material) == 20);
+static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
+static_assert(sizeof(RayCounts) == 16);
+}  // namespace stagelight::device
+#endif
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Stage 01: a ray for every pixel, and the sphere or plane that it hits first.
+#include "camera.cl"
+#include "closest_hit.cl"
+
+// #region normals_and_distances
+// There is no light yet: a hit shows its normal as a colour, with a contour line for each
+// unit of distance, fading where the lines would crowd.
+static float3 normals_and_distances(const Surface *surface, const float distance) {
+    const float line = 0.5f - 0.5f * cospi(2.0f * distance);
+    const float darkening = 0.2f * line / (1.0f + distance * distance / 50.0f);
+    return (0.5f + 0.5f * surface->normal) * (1.0f - darkening);
+}
+// #endregion normals_and_distances
+
+// #region render
+__kernel void render(__global float4 *image, const Camera camera, SCENE_PARAMETERS) {
+    const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
+    if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
+        return;
+    }
+    const Scene scene = SCENE_ARGUMENTS;
+    const Ray ray = camera_ray(&camera, pixel);
+    const Hit hit = closest_hit(&scene, ray);
+    float3 color = scene.background.xyz;
+    if (hit.shape != SHAPE_NONE) {
+        const Surface surface = surface_at(&scene, ray, hit);
+        color = normals_and_distances(&surface, hit.distance);
+    }
+    image[pixel.y * camera.size.x + pixel.x] = (float4)(color, 1.0f);
+}
+// #endregion render

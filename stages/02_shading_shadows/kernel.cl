@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Stage 02: diffuse shading under point and directional lights, with hard shadows.
+#include "camera.cl"
+#include "closest_hit.cl"
+#include "diffuse.cl"
+
+// #region render
+__kernel void render(__global float4 *image, __global RayCounts *ray_counts, const Camera camera,
+                     SCENE_PARAMETERS) {
+    const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
+    if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
+        return;
+    }
+    const Scene scene = SCENE_ARGUMENTS;
+    const Ray ray = camera_ray(&camera, pixel);
+    const Hit hit = closest_hit(&scene, ray);
+    RayCounts counts = {0, 0, 0, 0};
+    float3 color = scene.background.xyz;
+    if (hit.shape != SHAPE_NONE) {
+        const Surface surface = surface_at(&scene, ray, hit);
+        const float3 reflectance = scene.materials[surface.material].color.xyz;
+        color = reflectance * direct_light(&scene, &surface, &counts);
+    }
+    image[pixel.y * camera.size.x + pixel.x] = (float4)(color, 1.0f);
+    add_ray_counts(&ray_counts[pixel.y], counts);
+}
+// #endregion render

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Stage 06: textures on spheres and meshes.
+//
+// FreeImage reads each picture once, and they travel as one array of images, filtered by the
+// device on the way out.
+//
+// The lesson is in kernel.cl and in the modules of kernels/ that it names as new. This side
+// of it, the same at every stage, is common/app/stage_program.cpp: read the scene, choose a
+// device, build the kernel for what the scene has, hand it the scene, render, write.
+#include "app/stage_program.h"
+
+int main(int argc, char **argv) {
+    return stagelight::run_stage("06_textures", argc, argv);
+}

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# What holds of every file of the project.
+# shellcheck source-path=SCRIPTDIR
+source "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+
+# list_files NAMES...: the project's own files with such names (shell patterns), without git's help.
+list_files() {
+    local pattern names=()
+    for pattern in "$@"; do
+        names+=(-o -name "$pattern")
+    done
+    find "$source_dir" -mindepth 1 \( -name .git -o -name build -o -name out -o -name node_modules \) \
+        -prune -o -type f \( "${names[@]:1}" \) -print
+}
+
+test_shellcheck() {
+    mapfile -t files < <(list_files stagelight run '*.sh')
+    shellcheck --external-sources "${files[@]}"
+}
+
+test_spdx_line() {
+    local file
+    while read -r file; do
+        head -n 2 "$file" | grep -q 'SPDX-License-Identifier: MIT$' || echo "${file#"$source_dir"/}"
+    done < <(list_files '*.h' '*.cpp' '*.cl' '*.toml' '*.cmake' CMakeLists.txt '*.sh' stagelight run \
+        packages.txt) >"$scratch/without"
+    expect_empty "no SPDX line at the head of" "$(<"$scratch/without")"
+}
+
+test_clang_format() {
+    list_files '*.h' '*.cpp' | xargs -d '\n' clang-format --dry-run -Werror
+}
+
+test_no_large_file() {
+    expect_empty "over 1 MB" "$(list_files '*' | xargs -d '\n' ls -l | awk '$5 > 1000000')"
+}
+
+# In pictures too: their headers may name the folder where they were made.
+test_no_path_of_a_machine() {
+    expect_empty "paths of somebody's machine" "$(list_files '*' | xargs -d '\n' \
+        grep -aHnoE '(^|[^[:alnum:]_.-])/(work|root|home)/.{0,40}' || true)"
+}
+
+"test_$name"

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Every stage's scenes on two OpenCL implementations that share no compiler: held to the golden
+// pictures and to the reference, and the golden pictures to the reference that they are from.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "golden/suite.h"
+#include "scene/lessons.h"
+
+namespace stagelight::golden {
+namespace {
+
+// Names of devices: PoCL's, and rusticl's on Mesa's llvmpipe, which must be asked for before
+// the first call into OpenCL.
+const std::vector<std::string> devices = {"pthread", "llvmpipe"};
+const bool rusticl_enabled = setenv("RUSTICL_ENABLE", "llvmpipe", 1) == 0;
+
+using SceneOnDevice = std::tuple<GoldenScene, std::string>;
+
+std::string name_of(const GoldenScene &scene) {
+    return "Stage" + scene.name;
+}
+
+class Golden : public testing::TestWithParam<SceneOnDevice> {};
+class GoldenPicture : public testing::TestWithParam<GoldenScene> {};
+
+void expect_match(const Image &picture, const Image &truth, const std::vector<std::uint8_t> &edge,
+                  const Tolerance &tolerance) {
+    const Comparison comparison = compare(picture, truth, edge, tolerance);
+    EXPECT_EQ(comparison.failure, "") << to_string(comparison);
+    std::cout << to_string(comparison) << '\n';
+}
+
+bool close_to(const glm::vec3 &color, const glm::vec3 &truth, double tolerance) {
+    for (int channel = 0; channel < 3; ++channel) {
+        const double scale = std::max(1.0, std::abs(double(truth[channel])));
+        if (std::abs(double(color[channel]) - double(truth[channel])) > tolerance * scale) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// What rounding may do to a pixel on an edge: show what the reference sees a fiftieth of a pixel
+// beside, and nothing else.
+void expect_rounding_alone(const GoldenScene &scene, const Image &picture, const Image &truth,
+                           double tolerance) {
+    std::vector<glm::ivec2> outliers;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (!close_to(picture.at(x, y), truth.at(x, y), tolerance)) {
+                outliers.emplace_back(x, y);
+            }
+        }
+    }
+    constexpr double reach = 0.02;  // ten times the largest shift measured, on glass
+    const auto around = draw_around(scene, outliers, reach);
+    for (std::size_t i = 0; i < outliers.size(); ++i) {
+        const glm::vec3 color = picture.at(outliers[i].x, outliers[i].y);
+        EXPECT_TRUE(std::ranges::any_of(
+            around[i], [&](const glm::vec3 &seen) { return close_to(color, seen, tolerance); }))
+            << "pixel (" << outliers[i].x << ", " << outliers[i].y
+            << ") shows nothing that the reference sees within " << reach << " pixels";
+    }
+}
+
+TEST_P(Golden, DeviceMatchesGolden) {
+    const auto &[scene, device] = GetParam();
+    const stagelight::Golden golden = read_golden(scene.golden);
+    expect_match(draw_device(scene, device), golden.image, golden.edge,
+                 tolerance_of(scene.name, device));
+}
+
+TEST_P(Golden, DeviceMatchesReference) {
+    const auto &[scene, device] = GetParam();
+    const reference::Result truth = draw_reference(scene);
+    const Image picture = draw_device(scene, device);
+    const Tolerance tolerance = tolerance_of(scene.name, device);
+    expect_match(picture, truth.image, truth.edge, tolerance);
+    if (stage_number(scene.stage) > 1) {
+        expect_rounding_alone(scene, picture, truth.image, tolerance.interior);
+    }
+}
+
+// The golden differs from the reference of today by the rounding to half precision alone:
+// else it was changed without `golden update`, or the reference was and the golden not.
+TEST_P(GoldenPicture, IsTheReferences) {
+    const reference::Result truth = draw_reference(GetParam());
+    const stagelight::Golden golden = read_golden(GetParam().golden);
+    constexpr double half_rounding = 1.0 / 2048;
+    expect_match(golden.image, truth.image, std::vector<std::uint8_t>(truth.edge.size(), 0),
+                 {.interior = half_rounding, .mean_signed_error = half_rounding});
+    EXPECT_EQ(golden.edge, truth.edge);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Golden, testing::Combine(testing::ValuesIn(all_scenes()), testing::ValuesIn(devices)),
+    [](const auto &instance) {
+        return name_of(std::get<0>(instance.param)) + "_on_" + std::get<1>(instance.param);
+    });
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(all_scenes()),
+                         [](const auto &instance) { return name_of(instance.param); });
+
+// The paper's single pass through a sphere, wherever there is glass.
+TEST(InteriorPaper, Stage04DeviceMatchesReference) {
+    for (const GoldenScene &scene : scenes_of("04")) {
+        SCOPED_TRACE(scene.name);
+        const reference::Result truth = draw_reference(scene, reference::Interior::paper);
+        for (const std::string &device : devices) {
+            expect_match(draw_device(scene, device, "paper"), truth.image, truth.edge,
+                         tolerance_of(scene.name, device));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stagelight::golden

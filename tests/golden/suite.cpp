@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "golden/suite.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include "device/device_choice.h"
+#include "device/renderer.h"
+#include "scene/errors.h"
+#include "scene/lessons.h"
+#include "scene/scene_file.h"
+
+namespace stagelight::golden {
+namespace {
+
+const std::filesystem::path source_dir = STAGELIGHT_SOURCE_DIR;
+
+bool is_stage_scene(const std::filesystem::path &file) {
+    const std::string name = file.stem().string();
+    return file.extension() == ".toml" && name.size() > 3 && name[2] == '_'
+           && std::all_of(name.begin(), name.begin() + 2,
+                          [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::string stage_of(const std::string &scene) {
+    return std::string(stage_names[static_cast<std::size_t>(stage_number(scene) - 1)]);
+}
+
+}  // namespace
+
+std::vector<GoldenScene> all_scenes() {
+    std::vector<GoldenScene> scenes;
+    for (const auto &entry : std::filesystem::directory_iterator(source_dir / "scenes")) {
+        if (is_stage_scene(entry.path())) {
+            const std::string name = entry.path().stem().string();
+            scenes.push_back(
+                {name, stage_of(name), entry.path(), source_dir / "golden" / (name + ".exr")});
+        }
+    }
+    std::ranges::sort(scenes, {}, &GoldenScene::name);
+    return scenes;
+}
+
+std::vector<GoldenScene> scenes_of(const std::string &stage) {
+    std::vector<GoldenScene> scenes = all_scenes();
+    std::vector<std::string> stages;
+    for (const GoldenScene &scene : scenes) {
+        if (stages.empty() || stages.back() != scene.stage) {
+            stages.push_back(scene.stage);
+        }
+    }
+    std::erase_if(scenes, [&stage](const GoldenScene &scene) {
+        return scene.stage != stage && scene.stage.substr(0, 2) != stage;
+    });
+    if (scenes.empty()) {
+        throw UserError(fmt::format("{}: expected one of {}", stage, fmt::join(stages, ", ")));
+    }
+    return scenes;
+}
+
+reference::Result draw_reference(const GoldenScene &golden, reference::Interior interior) {
+    const Scene scene = load_scene(golden.scene);
+    const reference::Settings settings{width, height, scene.max_depth, interior};
+    return reference::render<double>(scene, settings,
+                                     stage_number(golden.stage) == 1
+                                         ? reference::Shown::normals_and_distances
+                                         : reference::Shown::light);
+}
+
+std::vector<std::vector<glm::vec3>>
+draw_around(const GoldenScene &golden, const std::vector<glm::ivec2> &pixels, double reach) {
+    const Scene scene = load_scene(golden.scene);
+    const reference::Settings settings{width, height, scene.max_depth, reference::Interior::full};
+    return reference::colors_around(scene, settings, pixels, reach);
+}
+
+Image draw_device(const GoldenScene &golden, const std::string &device,
+                  const std::string &interior) {
+    const Scene scene = load_scene(golden.scene);
+    require_learnt(scene, stage_number(golden.stage));
+    RenderSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.max_depth = scene.max_depth;
+    choose_method(settings.methods, "interior=" + interior);
+    return Renderer(choose_device(device), golden.stage, scene, settings).render().image;
+}
+
+Tolerance tolerance_of(const std::string &scene, const std::string &device) {
+    const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
+    const toml::table tolerances = toml::parse_file(file.string());
+    const auto number = [&](const char *key) {
+        for (const std::string &place : {scene + '.' + device, std::string("every.") + device,
+                                         scene + ".every", std::string("every.every")}) {
+            if (const auto value = tolerances.at_path(place + '.' + key).value<double>()) {
+                return *value;
+            }
+        }
+        throw UserError(fmt::format("{}: {} on {}: no {}", file.string(), scene, device, key));
+    };
+    return {.interior = number("interior"),
+            .edge_outliers = static_cast<int>(number("edge_outliers")),
+            .strays = static_cast<int>(number("strays")),
+            .mean_signed_error = number("mean_signed_error")};
+}
+
+}  // namespace stagelight::golden

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# mistakes_test.sh SOURCE_DIR 01_PROGRAM 04_PROGRAM: oclgrind_test.sh must fail on kernels with an
+# access out of bounds, a data race, a stack that is too small.
+set -euo pipefail
+
+source_dir=$1 primitives=$2 glass=$3
+test_script=$(dirname "$0")/oclgrind_test.sh
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# expect_report TEXT PROGRAM SCENE FILE SED_COMMAND: the report on the kernels with that change
+# holds the text.
+expect_report() {
+    local text=$1 program=$2 scene=$3 file=$4 change=$5 said
+    rm -rf "${scratch:?}/mine"
+    mkdir "$scratch/mine"
+    cp -r "$source_dir/kernels" "$source_dir/stages" "$scratch/mine"
+    sed -i "$change" "$scratch/mine/$file"
+    if cmp -s "$source_dir/$file" "$scratch/mine/$file"; then
+        printf 'nothing changed in %s by %s\n' "$file" "$change"
+        exit 1
+    fi
+    if said=$(bash "$test_script" "$program" "$source_dir/scenes/$scene.toml" \
+        --kernels "$scratch/mine" 2>&1) || [[ $said != *"$text"* ]]; then
+        printf 'expected a report with "%s" on %s, changed by %s; it said:\n%s\n' \
+            "$text" "$file" "$change" "$said"
+        exit 1
+    fi
+}
+
+kernel=stages/01_primitives/kernel.cl
+expect_report "Invalid write of size 16" "$primitives" 01_primitives "$kernel" \
+    's/image\[pixel.y \*/image[1 + pixel.y */'
+expect_report "Invalid read of size" "$primitives" 01_primitives kernels/closest_hit.cl \
+    's/i < SPHERE_COUNT/i <= SPHERE_COUNT/'
+expect_report "Write-write data race" "$primitives" 01_primitives "$kernel" \
+    's/image\[pixel.y \* camera.size.x + pixel.x\]/image[pixel.y]/'
+expect_report "Invalid write of size" "$glass" 04_refraction_beer kernels/ray_stack.cl \
+    's/rays\[STACK_SIZE\]/rays[STACK_SIZE - 1]/'

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <ostream>
+
+#include <gtest/gtest.h>
+
+#include "scene/import.h"
+#include "scene/messages.h"
+#include "scene/temporary_folder.h"
+
+namespace stagelight {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The message that `file` is refused with; it prints nothing.
+std::string refusal(const fs::path &file) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const std::string message = message_of([&] { imported(file); });
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << "Assimp is to be quiet";
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "Assimp is to be quiet";
+    return message;
+}
+
+// One line that says where, which file, what is wrong and what was expected.
+void expect_refusal(const fs::path &file, const std::string &reason) {
+    const std::string message = refusal(file);
+    EXPECT_EQ(message.rfind("scene.toml:3:1: " + file.string() + ": ", 0), 0U) << message;
+    EXPECT_NE(message.find(reason), std::string::npos)
+        << "expected '" << reason << "' in: " << message;
+    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+struct BadFile {
+    const char *name;
+    const char *reason;
+};
+
+void PrintTo(const BadFile &file, std::ostream *out) {
+    *out << file.name;
+}
+
+class AssimpTestModel : public testing::TestWithParam<BadFile> {};
+
+TEST_P(AssimpTestModel, IsRefused) {
+    const fs::path file = fs::path("/usr/share/assimp/models") / GetParam().name;
+    ASSERT_TRUE(fs::exists(file)) << file << " is in Debian's assimp-testmodels";
+    expect_refusal(file, GetParam().reason);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    MeshErrors, AssimpTestModel,
+    testing::Values(
+        BadFile{"OFF/invalid.off", "no triangles"},
+        BadFile{"glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "index out of range"},
+        BadFile{"glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf", "index out of range"},
+        BadFile{"glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb", "not finite"},
+        BadFile{"glTF2/RecursiveNodes/RecursiveNodes.gltf", "recursive reference to itself"},
+        BadFile{"glTF2/MissingBin/BoxTextured.gltf", "BoxTextured0.bin"},
+        BadFile{"glTF2/TestNoRootNode/NoScene.gltf", "No scene"},
+        BadFile{"glTF2/TestNoRootNode/SceneWithoutNodes.gltf", "no triangles"},
+        BadFile{"OBJ/point_cloud.obj", "no triangles"},
+        BadFile{"Collada/cameras.dae", "no triangles"}, BadFile{"invalid/empty.obj", "too small"},
+        BadFile{"invalid/malformed.obj", "Invalid face index"}));
+
+TEST(MeshErrors, MissingFile) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.path() / "none.obj", "no such file");
+}
+
+TEST(MeshErrors, Folder) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.path(), "no such file");
+}
+
+TEST(MeshErrors, EmptyFile) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("empty.ply", ""), "can't be read");
+}
+
+TEST(MeshErrors, TextFile) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.txt", "no mesh at all\n"), "can't be read");
+}
+
+TEST(MeshErrors, IndexOutOfRangeInAFileThatAssimpTakes) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"
+                                         "property float x\nproperty float y\nproperty float z\n"
+                                         "element face 1\n"
+                                         "property list uchar int vertex_indices\nend_header\n"
+                                         "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
+                   "index out of range");
+}
+
+TEST(MeshErrors, OnlyTrianglesWithoutArea) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "no triangles");
+}
+
+TEST(MeshErrors, OutOfReach) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
+                   "out of reach");
+}
+
+}  // namespace
+}  // namespace stagelight
