@@ -61,6 +61,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
 
 // #region spawn_dielectric
 // At every wall, inside as outside, one ray is reflected and one goes through.
+#if HAS_DIELECTRIC
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
                              const DielectricMaterial *glass, const float3 weight,
                              RayCounts *counts) {
@@ -76,11 +77,12 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         push_ray(stack, refracted, &counts->refraction, &counts->dropped);
     }
 }
+#endif
 // #endregion spawn_dielectric
 
 // #region interior_paper
 // The paper's way (section 5): once through the sphere and out, no reflection inside.
-#if METHOD_INTERIOR_PAPER
+#if HAS_DIELECTRIC && METHOD_INTERIOR_PAPER
 // From a point on a sphere, the point of the ray nearest the centre is half-way to the other wall.
 static float intersect_ray_inside_sphere(const Ray ray, const float3 center) {
     return 2.0f * dot(center - ray.origin, ray.direction);
@@ -93,6 +95,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
     PendingRay leaving = *incoming;
     leaving.weight = weight;
     ++leaving.depth;
+    leaving.absorption = (float3)(0.0f);
     leaving.ray.direction = interface.refracted;
     leaving.ray.origin = origin_off(surface, interface.refracted);
     bool leaves = interface.reflectance < 1.0f;

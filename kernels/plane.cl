@@ -12,10 +12,11 @@ static float intersect_ray_plane(const Ray ray, const float3 normal, const float
 // #endregion ray_plane
 
 // #region line_plane
-// A line crosses when its ends lie on different sides: no division.
+// A line crosses when its ends lie on different sides, neither of them in the plane: no
+// division, and no product of two numbers that may be tiny.
 static bool intersect_line_plane(const Line line, const float3 normal, const float offset) {
     const float before = dot(normal, line.origin) - offset;
     const float after = dot(normal, line.destination) - offset;
-    return (before < 0.0f) != (after < 0.0f);
+    return (before < 0.0f && after > 0.0f) || (before > 0.0f && after < 0.0f);
 }
 // #endregion line_plane

@@ -15,7 +15,7 @@ static Ray reflected_ray(const Surface *surface, const float3 direction) {
     if (dot(reflected, surface->geometric_normal) < 0.0f) {
         reflected = reflect(reflected, surface->geometric_normal);
     }
-    const Ray ray = {origin_off(surface, reflected), normalize(reflected)};
+    const Ray ray = {origin_off(surface, surface->geometric_normal), normalize(reflected)};
     return ray;
 }
 // #endregion reflect

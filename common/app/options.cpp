@@ -54,7 +54,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
 
     CLI::App app("Stagelight " + stage + ": renders a scene with OpenCL", stage);
     app.add_option("scene", options.scene, "a scene in TOML")->capture_default_str();
-    app.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's)");
+    const CLI::Option *size_option =
+        app.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's)");
     app.add_option("--out", options.out, "picture to write, .png or .exr (linear float)")
         ->capture_default_str();
     app.add_option("--samples", options.samples, "rays through each pixel")
@@ -84,7 +85,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     } catch (const CLI::ParseError &error) {
         throw UserError(fmt::format("{} (--help lists the options)", error.what()));
     }
-    if (!size.empty()) {
+    if (size_option->count() > 0) {
         options.size = parse_size(size);
     }
     for (const std::string &choice : methods) {

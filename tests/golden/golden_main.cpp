@@ -43,7 +43,7 @@ std::string update_scene(const GoldenScene &scene) {
     const reference::Result truth = draw_reference(scene);
     const std::filesystem::path fresh = scene.golden.string() + ".new.exr";
     write_golden({truth.image, truth.edge}, fresh);
-    const std::string change = difference(read_golden(fresh), scene.golden);
+    std::string change = difference(read_golden(fresh), scene.golden);
     if (change.empty()) {
         std::filesystem::remove(fresh);
     } else {

@@ -93,9 +93,11 @@ Tolerance tolerance_of(const std::string &scene, const std::string &device) {
     const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
     const toml::table tolerances = toml::parse_file(file.string());
     const auto number = [&](const char *key) {
-        for (const std::string &place : {scene + '.' + device, std::string("every.") + device,
-                                         scene + ".every", std::string("every.every")}) {
-            if (const auto value = tolerances.at_path(place + '.' + key).value<double>()) {
+        const std::pair<std::string_view, std::string_view> places[] = {
+            {scene, device}, {"every", device}, {scene, "every"}, {"every", "every"}};
+        for (const auto &[for_scene, for_device] : places) {
+            const std::string path = fmt::format("{}.{}.{}", for_scene, for_device, key);
+            if (const auto value = tolerances.at_path(path).value<double>()) {
                 return *value;
             }
         }

@@ -5,7 +5,8 @@
 set -euo pipefail
 
 source_dir=$1 primitives=$2 glass=$3
-test_script=$(dirname "$0")/oclgrind_test.sh
+here=$(dirname "$0")
+spheres=$source_dir/scenes/01_primitives.toml
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -21,8 +22,8 @@ expect_report() {
         printf 'nothing changed in %s by %s\n' "$file" "$change"
         exit 1
     fi
-    if said=$(bash "$test_script" "$program" "$source_dir/scenes/$scene.toml" \
-        --kernels "$scratch/mine" 2>&1) || [[ $said != *"$text"* ]]; then
+    if said=$(bash "$here/oclgrind_test.sh" "$program" "$scene" --kernels "$scratch/mine" 2>&1) \
+        || [[ $said != *"$text"* ]]; then
         printf 'expected a report with "%s" on %s, changed by %s; it said:\n%s\n' \
             "$text" "$file" "$change" "$said"
         exit 1
@@ -30,11 +31,11 @@ expect_report() {
 }
 
 kernel=stages/01_primitives/kernel.cl
-expect_report "Invalid write of size 16" "$primitives" 01_primitives "$kernel" \
+expect_report "Invalid write of size 16" "$primitives" "$spheres" "$kernel" \
     's/image\[pixel.y \*/image[1 + pixel.y */'
-expect_report "Invalid read of size" "$primitives" 01_primitives kernels/closest_hit.cl \
+expect_report "Invalid read of size" "$primitives" "$spheres" kernels/closest_hit.cl \
     's/i < SPHERE_COUNT/i <= SPHERE_COUNT/'
-expect_report "Write-write data race" "$primitives" 01_primitives "$kernel" \
+expect_report "Write-write data race" "$primitives" "$spheres" "$kernel" \
     's/image\[pixel.y \* camera.size.x + pixel.x\]/image[pixel.y]/'
-expect_report "Invalid write of size" "$glass" 04_refraction_beer kernels/ray_stack.cl \
+expect_report "Invalid write of size" "$glass" "$here/glass_row.toml" kernels/ray_stack.cl \
     's/rays\[STACK_SIZE\]/rays[STACK_SIZE - 1]/'

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Where a picture can't be written: one line, and nothing left behind.
+#include <fstream>
+#include <iterator>
+
+#include "cli/picture_file.h"
+#include "cli/program.h"
+
+namespace stagelight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::vector<std::string>;
+
+class Stage01Output : public Cli {
+protected:
+    void expect_refused(const std::vector<std::string> &arguments, const std::string &text) const {
+        const Files before = files();
+        expect_one_line(run("01_primitives", arguments), exit_user_error, text);
+        EXPECT_EQ(files(), before);
+    }
+};
+
+TEST_F(Stage01Output, WantsAFolderThatIsThere) {
+    expect_refused({"--out", "missing/a.png"}, "missing/a.png: missing does not exist");
+    expect_refused({"--stats", "missing/a.json", "--out", "a.png"},
+                   "missing/a.json: missing does not");
+    folder.write("file", "");
+    expect_refused({"--out", "file/a.png"}, "file/a.png: file is not a folder");
+}
+
+// Root may write anywhere but here: the kernel makes these folders up.
+TEST_F(Stage01Output, WantsAFolderThatTakesFiles) {
+    expect_refused({"--out", "/proc/a.png"},
+                   "/proc/a.png: the folder /proc cannot be written to: ");
+    expect_refused({"--out", "/sys/a.exr"}, "/sys/a.exr: the folder /sys cannot be written to: ");
+    expect_refused({"--stats", "/proc/a.json", "--out", "a.png"}, "/proc/a.json");
+}
+
+TEST_F(Stage01Output, WantsARegularFile) {
+    fs::create_directory(folder.path() / "folder.png");
+    fs::create_symlink("/dev/full", folder.path() / "link.png");
+    expect_refused({"--out", "folder.png"}, "folder.png: expected a regular file");
+    expect_refused({"--out", "link.png"}, "link.png: expected a regular file");
+    expect_refused({"--stats", "/dev/full", "--out", "a.png"},
+                   "/dev/full: expected a regular file");
+}
+
+// The default folder is made where it is missing; here its name is taken.
+TEST_F(Stage01Output, SaysWhatIsWrongWithTheDefaultFolder) {
+    folder.write("out", "");
+    expect_refused({}, "out/01_primitives.png: out is not a folder");
+}
+
+// No file may grow beyond 1 MiB, as on a disk with no more room: this EXR does, and what PoCL
+// writes for itself does not.
+TEST_F(Stage01Output, KeepsTheOldPictureWhenTheDiskIsFull) {
+    const fs::path old = folder.write("a.exr", "the old picture");
+    expect_done(run("01_primitives", {"--size", "1024x640", "--out", "b.exr"}));
+    ASSERT_GT(fs::file_size(folder.path() / "b.exr"), 2u << 20);
+    const Start start{{"--size", "1024x640", "--out", "a.exr"}, {}, 1 << 20};
+    expect_one_line(run("01_primitives", start), exit_user_error,
+                    "a.exr: cannot be written: File too large");
+    EXPECT_EQ(files(), (Files{"a.exr", "b.exr"}));
+    std::ifstream in(old);
+    EXPECT_EQ((std::string{std::istreambuf_iterator<char>(in), {}}), "the old picture");
+}
+
+}  // namespace
+}  // namespace stagelight::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// --kernels: the kernels of a checkout on disk, for work on them.
+#include <fstream>
+#include <iterator>
+
+#include "cli/picture_file.h"
+#include "cli/program.h"
+
+namespace stagelight::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Stage01Kernels : public Cli {
+protected:
+    Stage01Kernels() {
+        const fs::path checkout = STAGELIGHT_SOURCE_DIR;
+        fs::create_directory(folder.path() / "mine");
+        for (const char *part : {"kernels", "stages"}) {
+            fs::copy(checkout / part, folder.path() / "mine" / part, fs::copy_options::recursive);
+        }
+    }
+
+    void replace(const std::string &file, const std::string &old, const std::string &fresh) const {
+        const fs::path path = folder.path() / "mine" / file;
+        std::ifstream in(path);
+        std::string text{std::istreambuf_iterator<char>(in), {}};
+        const std::size_t place = text.find(old);
+        ASSERT_NE(place, std::string::npos) << old << " in " << file;
+        text.replace(place, old.size(), fresh);
+        std::ofstream(path) << text;
+    }
+    PictureFile draw(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.end(), {"--size", small, "--out", "a.exr"});
+        expect_done(run("01_primitives", arguments));
+        return read_picture_file(folder.path() / "a.exr");
+    }
+    // Why nothing was drawn with them.
+    Outcome refused() const {
+        const Outcome outcome =
+            run("01_primitives", {"--kernels", "mine", "--size", small, "--out", "a.exr"});
+        EXPECT_EQ(outcome.code, exit_user_error) << outcome;
+        EXPECT_FALSE(fs::exists(folder.path() / "a.exr"));
+        return outcome;
+    }
+};
+
+TEST_F(Stage01Kernels, OnDiskAreThoseInTheProgram) {
+    EXPECT_EQ(largest_difference(draw({}), draw({"--kernels", "mine"})), 0);
+}
+
+TEST_F(Stage01Kernels, OnDiskChangeThePicture) {
+    const PictureFile usual = draw({});
+    replace("stages/01_primitives/kernel.cl", "color = scene.background.xyz",
+            "color = 1.0f - scene.background.xyz");
+    EXPECT_GT(largest_difference(usual, draw({"--kernels", "mine"})), 0.5F);
+    replace("kernels/camera.cl", "point.x * camera->right", "2.0f * point.x * camera->right");
+    EXPECT_GT(largest_difference(usual, draw({"--kernels", "mine/"})), 0.5F);
+}
+
+// The compiler's log counts lines as the file does, before and after an #include.
+TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
+    replace("kernels/camera.cl", "normalize(direction.xyz)", "normalise(direction.xyz)");
+    const std::string text = [&] {
+        std::ifstream in(folder.path() / "mine/kernels/camera.cl");
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    }();
+    const auto line =
+        1 + std::count(text.begin(), text.begin() + long(text.find("normalise")), '\n');
+    const Outcome outcome = refused();
+    expect_part(outcome.err, "error: the kernel does not build:\n");
+    expect_part(outcome.err, "kernels/camera.cl:" + std::to_string(line) + ":");
+    expect_part(outcome.err, "normalise");
+}
+
+TEST_F(Stage01Kernels, ThatAreMissingAreToldByName) {
+    fs::remove(folder.path() / "mine/kernels/sphere.cl");
+    expect_one_line(refused(), exit_user_error,
+                    "mine/kernels/sphere.cl: can't be read; --kernels expects a folder that holds "
+                    "kernels/ and stages/");
+    fs::remove_all(folder.path() / "mine");
+    expect_one_line(refused(), exit_user_error,
+                    "mine/stages/01_primitives/kernel.cl: can't be read");
+}
+
+}  // namespace
+}  // namespace stagelight::cli

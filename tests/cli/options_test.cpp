@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The command line as a whole: what a program does of itself, and what it refuses.
+#include <fmt/format.h>
+
+#include "cli/picture_file.h"
+#include "cli/program.h"
+
+namespace stagelight::cli {
+namespace {
+
+using Files = std::vector<std::string>;
+
+const std::vector<std::string> stages{
+    "01_primitives",      "02_shading_shadows", "03_reflection_glossy",
+    "04_refraction_beer", "05_meshes",          "06_textures"};
+
+class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
+
+const auto its_stage = [](const auto &stage) { return "Stage" + stage.param; };
+
+INSTANTIATE_TEST_SUITE_P(Programs, EveryStage, testing::ValuesIn(stages), its_stage);
+
+TEST_P(EveryStage, DrawsItsDefaultSceneToOut) {
+    const Outcome outcome = run(GetParam(), {"--size", small});
+    expect_done(outcome);
+    const std::string picture = "out/" + GetParam() + ".png";
+    expect_part(outcome.out, "32x20: ");
+    expect_part(outcome.out, "wrote " + picture + "\n");
+    EXPECT_EQ(files(), (Files{"out", picture}));
+    EXPECT_EQ(read_picture_file(folder.path() / picture).width, 32);
+}
+
+TEST_P(EveryStage, HelpListsEveryOption) {
+    const Outcome outcome = run(GetParam(), {"--help"});
+    expect_done(outcome);
+    for (const char *option : {"--help", "[scene]", "--size", "--out", "--samples", "--depth",
+                               "--device", "--frames", "--method", "--kernels", "--stats",
+                               "--list-devices", "interior=full", "interior=paper"}) {
+        expect_part(outcome.out, option);
+    }
+    expect_part(outcome.out, "/scenes/" + GetParam() + ".toml");
+    EXPECT_EQ(files(), Files{});
+}
+
+struct BadOption {
+    std::string name;
+    std::vector<std::string> arguments;
+    std::string text;
+};
+
+void PrintTo(const BadOption &option, std::ostream *stream) {
+    *stream << option.name;
+}
+
+class BadOptions : public Cli, public testing::WithParamInterface<BadOption> {};
+
+TEST_P(BadOptions, AreToldInOneLine) {
+    expect_one_line(run("01_primitives", GetParam().arguments), exit_user_error, GetParam().text);
+    EXPECT_EQ(files(), Files{});
+}
+
+const auto its_name = [](const auto &option) { return option.param.name; };
+
+BadOption bad_size(const std::string &name, const std::string &size) {
+    return {"size_" + name,
+            {"--size", size},
+            fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, 1 to 16384 each", size)};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stage01, BadOptions,
+    testing::Values(
+        bad_size("zero", "0x0"), bad_size("enormous", "99999x99999"),
+        bad_size("one_too_many", "16385x1"), bad_size("negative", "32x-20"),
+        bad_size("no_height", "32x"), bad_size("three", "32x20x3"), bad_size("letters", "axb"),
+        bad_size("space", "32 x20"), bad_size("nothing", ""),
+        BadOption{"size_missing", {"--size"}, "--size"},
+        BadOption{"unknown", {"--sise", small}, "--sise"},
+        BadOption{"two_scenes", {"a.toml", "b.toml"}, "b.toml"},
+        BadOption{"samples_zero", {"--samples", "0"}, "--samples"},
+        BadOption{"samples_enormous", {"--samples", "65537"}, "--samples"},
+        BadOption{"samples_letters", {"--samples", "many"}, "--samples"},
+        BadOption{"samples_fraction", {"--samples", "1.5"}, "--samples"},
+        BadOption{"depth_negative", {"--depth", "-1"}, "--depth"},
+        BadOption{"depth_enormous", {"--depth", "65"}, "--depth"},
+        BadOption{"frames_zero", {"--frames", "0"}, "--frames"},
+        BadOption{"method_unknown",
+                  {"--method", "interior=none"},
+                  "--method interior=none: expected one of interior=full, interior=paper"},
+        BadOption{"method_kind", {"--method", "exterior=full"}, "interior=full, interior=paper"},
+        BadOption{"method_missing", {"--method"}, "--method"},
+        BadOption{
+            "out_jpg", {"--out", "a.jpg"}, "a.jpg: expected a name that ends in .png or .exr"},
+        BadOption{"out_nothing", {"--out", ""}, "expected a name that ends in .png or .exr"}),
+    its_name);
+
+}  // namespace
+}  // namespace stagelight::cli

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// --stats and --frames: what a run has cost, as JSON.
+#include <algorithm>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace stagelight::cli {
+namespace {
+
+using nlohmann::json;
+
+class StatsFile : public Cli {
+protected:
+    json stats(const std::string &stage, std::vector<std::string> arguments = {}) const {
+        arguments.insert(arguments.end(),
+                         {"--size", small, "--out", "a.png", "--stats", "stats.json"});
+        const Outcome outcome = run(stage, arguments);
+        expect_done(outcome);
+        said_ = outcome.out;
+        return json::parse(std::ifstream(folder.path() / "stats.json"));
+    }
+    const std::string &said() const { return said_; }
+
+private:
+    mutable std::string said_;
+};
+
+class Stage01Stats : public StatsFile {};
+class Stage04Stats : public StatsFile {};
+
+TEST_F(Stage01Stats, HaveATimeForEachFrame) {
+    const json stats = this->stats("01_primitives", {"--frames", "4"});
+    std::vector<double> times = stats.at("frames").at("milliseconds");
+    ASSERT_EQ(times.size(), 4u);
+    EXPECT_TRUE(std::ranges::all_of(times, [](double time) { return time > 0; })) << stats;
+    std::ranges::sort(times);
+    EXPECT_DOUBLE_EQ(stats.at("frames").at("median"), (times[1] + times[2]) / 2);
+    EXPECT_EQ(this->stats("01_primitives").at("frames").at("milliseconds").size(), 1u);
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.png", "stats.json"}));
+}
+
+TEST_F(Stage01Stats, NameTheDeviceAndTheBuild) {
+    const json stats = this->stats("01_primitives");
+    const json &device = stats.at("device");
+    EXPECT_TRUE(said().starts_with(device.at("name").get<std::string>() + '\n'));
+    for (const char *field : {"platform", "version", "driver"}) {
+        EXPECT_NE(device.at(field), "") << field;
+    }
+    EXPECT_GE(device.at("compute_units"), 1);
+    expect_part(stats.at("build").at("options"), "-D SPHERE_COUNT=7 -D PLANE_COUNT=1");
+    EXPECT_GT(stats.at("build").at("milliseconds"), 0);
+}
+
+// The scene has one plane and seven spheres, and stage 01 neither materials nor lights. A
+// sphere and a plane take 32 bytes, a pixel 16.
+TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
+    const json stats = this->stats("01_primitives");
+    EXPECT_EQ(stats.at("stage"), "01_primitives");
+    EXPECT_EQ(stats.at("size"), json({32, 20}));
+    EXPECT_EQ(stats.at("samples"), 1);
+    EXPECT_EQ(stats.at("needs"), json({{"SPHERE_COUNT", 7}, {"PLANE_COUNT", 1}}));
+    EXPECT_EQ(stats.at("bytes_on_device"), json({{"spheres", 7 * 32},
+                                                 {"planes", 32},
+                                                 {"image", 32 * 20 * 16},
+                                                 {"total", 7 * 32 + 32 + 32 * 20 * 16}}));
+    EXPECT_EQ(stats.at("rays"),
+              json({{"primary", 32 * 20}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}));
+    EXPECT_EQ(stats.at("dropped_rays"), 0);
+}
+
+TEST_F(Stage04Stats, CountRaysSamplesAndDroppedRays) {
+    const json stats = this->stats("04_refraction_beer",
+                                   {"--samples", "2", "--depth", "3", "--method", "interior=full"});
+    EXPECT_EQ(stats.at("samples"), 2);
+    EXPECT_EQ(stats.at("max_depth"), 3);
+    EXPECT_EQ(stats.at("methods"), json({{"interior", "full"}}));
+    EXPECT_EQ(stats.at("needs").at("MAX_DEPTH"), 3);
+    EXPECT_EQ(stats.at("needs").at("STACK_SIZE"), 4);
+    EXPECT_EQ(stats.at("rays").at("primary"), 2 * 32 * 20);
+    for (const char *kind : {"shadow", "reflection", "refraction"}) {
+        EXPECT_GT(stats.at("rays").at(kind), 0) << kind;
+    }
+    EXPECT_GT(stats.at("dropped_rays"), 0);
+    expect_part(said(),
+                to_string(stats.at("dropped_rays")) + " rays dropped: deeper than 3 bounces");
+}
+
+TEST_F(Stage04Stats, NameTheMethod) {
+    const json stats = this->stats("04_refraction_beer", {"--method", "interior=paper"});
+    EXPECT_EQ(stats.at("methods"), json({{"interior", "paper"}}));
+    expect_part(stats.at("build").at("options"), "-D METHOD_INTERIOR_PAPER=1");
+}
+
+}  // namespace
+}  // namespace stagelight::cli

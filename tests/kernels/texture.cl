@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Where on a picture a point of a sphere lies, and the colour at a place of a picture.
+#include "texture_coordinates.cl"
+#if HAS_TEXTURES
+#include "texture.cl"
+#endif
+
+__kernel void coordinates(__global float2 *results, __global const float4 *normals) {
+    const size_t i = get_global_id(0);
+    results[i] = sphere_texture_coordinates(normals[i].xyz);
+}
+
+#if HAS_TEXTURES
+// `places`: u, v and the index of a material.
+__kernel void colors(__global float4 *results, __global const float4 *places, SCENE_PARAMETERS) {
+    const Scene scene = SCENE_ARGUMENTS;
+    const size_t i = get_global_id(0);
+    const Material material = scene.materials[convert_int(places[i].z)];
+    results[i] = (float4)(texture_color(&material, places[i].xy TEXTURE_ARGUMENT), 1.0f);
+}
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "reference/textures.h"
+
+#include <cmath>
+
+#include "kernels/on_device.h"
+#include "kernels/worst.h"
+#include "reference/scenes.h"
+
+namespace stagelight {
+namespace {
+
+using glm::dvec3, glm::vec3, glm::vec4;
+using reference::Dice;
+
+using KernelsStage06Coordinates = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage06Coordinates, each_device(), device_name);
+
+TEST_P(KernelsStage06Coordinates, OfASphereMatchDouble) {
+    Dice dice;
+    std::vector<vec4> normals;
+    for (int i = 0; i < 8192; ++i) {
+        dvec3 normal = dice.direction();
+        if (i % 4 == 1) {  // all but at a pole
+            normal *= dvec3(1, 0, 1) * std::pow(10, dice.between(-8, 0));
+            normal.y = i % 8 == 1 ? 1 : -1;
+        } else if (i % 4 == 2) {  // all but on the seam
+            normal.x = std::pow(10, dice.between(-8, -1)) * (i % 8 == 2 ? 1 : -1);
+            normal.z = -std::abs(normal.z);
+        }
+        // Rounding leaves a unit vector longer or shorter by about an ulp.
+        normals.emplace_back(vec3(glm::normalize(normal) * (1 + dice.between(-2, 2) * ulp)), 0);
+    }
+    const auto results = build("texture.cl").run<glm::vec2>("coordinates", normals);
+    Worst u("u"), v("v"), range("u and v from 0 to 1");
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const glm::dvec2 truth = reference::sphere_coordinates(dvec3(normals[i]));
+        for (const float coordinate : {results[i].x, results[i].y}) {
+            range.compare(i, coordinate, 0.5, 0.5);
+        }
+        // At the seam 0 and 1 are the same place. OpenCL C's atan2 is within 6 ulp of at most
+        // pi, its asin within 4 of pi / 2.
+        const double turns = std::round(double(results[i].x) - truth.x);
+        u.compare(i, results[i].x - turns, truth.x, 4 * ulp);
+        v.compare(i, results[i].y, truth.y, 4 * ulp);
+    }
+    u.expect(8192);
+    v.expect(8192);
+    range.expect(16384);
+}
+
+// docs/shading.md: u = ½ + atan2(x, z) / 2π, v = ½ - asin(y) / π.
+TEST_P(KernelsStage06Coordinates, PolesAndSeamAreWhereTheyBelong) {
+    const float above_1 = 1.0000001F;
+    const std::vector<vec4> normals{{0, 0, 1, 0},        {1, 0, 0, 0},
+                                    {-1, 0, 0, 0},       {0, 0, -1, 0},
+                                    {-0.0F, 0, -1, 0},   {0, 1, 0, 0},
+                                    {0, -1, 0, 0},       {0, above_1, 0, 0},
+                                    {0, -above_1, 0, 0}, {0, 0.5F, 0.8660254F, 0}};
+    const std::vector<glm::vec2> expected{{0.5F, 0.5F}, {0.75F, 0.5F},   {0.25F, 0.5F}, {1, 0.5F},
+                                          {0, 0.5F},    {0.5F, 0},       {0.5F, 1},     {0.5F, 0},
+                                          {0.5F, 1},    {0.5F, 1 / 3.0F}};
+    const auto results = build("texture.cl").run<glm::vec2>("coordinates", normals);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        EXPECT_NEAR(results[i].x, expected[i].x, 4 * ulp) << "u, case " << i;
+        EXPECT_NEAR(results[i].y, expected[i].y, 4 * ulp) << "v, case " << i;
+    }
+}
+
+using KernelsStage06Texture = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage06Texture, each_device(), device_name);
+
+// Pictures of many sizes, each worn by a material of its index; the last material has none.
+// `texel` makes four bytes of the picture, column and row.
+template <typename Texel> Scene scene_of_pictures(Texel texel) {
+    constexpr std::pair<int, int> sizes[]{{1, 1},  {2, 3},   {7, 5}, {64, 32},
+                                          {5, 64}, {16, 16}, {3, 1}};
+    Scene scene;
+    for (const auto &[width, height] : sizes) {
+        const auto picture = int(scene.textures.size());
+        std::vector<std::uint8_t> texels;
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const std::array<int, 3> rgb = texel(picture, x, y);
+                texels.insert(texels.end(), rgb.begin(), rgb.end());
+                texels.push_back(255);
+            }
+        }
+        scene.textures.push_back(reference::texture_of(width, height, texels));
+        scene.materials.push_back({.texture = picture, .where = {}});
+    }
+    scene.materials.push_back({.where = {}});
+    return scene;
+}
+
+SceneNeeds needs_of_pictures(const Scene &scene) {
+    return {{"MATERIAL_COUNT", int(scene.materials.size())}, {"HAS_TEXTURES", 1}};
+}
+
+// Places in and far outside of each picture, on its border, at its texels' centres.
+std::vector<vec4> places(const Scene &scene) {
+    Dice dice;
+    std::vector<vec4> result;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const Texture &texture = scene.textures[i];
+        const auto add = [&](double u, double v) { result.emplace_back(u, v, i, 0); };
+        for (const double u : {0.0, 1.0, -0.0, 1 - 1e-7, -1e-9, -1e-3, 2.0, -3.0, 1e5 + 0.25}) {
+            add(u, dice.between(0, 1));
+            add(dice.between(0, 1), u);
+            add(u, u);
+        }
+        for (int k = 0; k < 512; ++k) {
+            add(dice.between(0, 1), dice.between(0, 1));
+            add(dice.between(-9, 9), dice.between(-9, 9));
+            // Across the border, and on a texel's centre.
+            add(dice.between(-0.5, 0.5) / texture.width, dice.between(-0.5, 0.5) / texture.height);
+            add((std::floor(dice.between(0, texture.width)) + 0.5) / texture.width,
+                (std::floor(dice.between(0, texture.height)) + 0.5) / texture.height);
+        }
+    }
+    return result;
+}
+
+void expect_colors(DeviceProgram program, const Scene &scene, double rounding_per_texel,
+                   double rounding) {
+    const std::vector<vec4> at = places(scene);
+    const auto colors = program.run_in<vec4>(scene, "colors", at);
+    Worst color("colour");
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const Texture &texture = scene.textures[std::size_t(at[i].z)];
+        const auto truth = reference::sample_texture(texture, glm::dvec2(at[i].x, at[i].y));
+        const double size = 1 + std::max(texture.width, texture.height);
+        color.compare(i, dvec3(colors[i]), truth, rounding_per_texel * size + rounding);
+    }
+    color.expect(14000);
+}
+
+// One colour a picture: whatever is filtered, a neighbour's colour, or the black beside a small
+// picture in its layer, would show. PoCL 3.1 reads the wrong layer with normalised coordinates.
+TEST_P(KernelsStage06Texture, EveryLayerHasItsOwnColor) {
+    const Scene scene = scene_of_pictures([](int picture, int, int) {
+        return std::array{10 + 30 * picture, 200 - 20 * picture, picture % 2 == 0 ? 50 : 150};
+    });
+    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, 0, 4 * ulp);
+}
+
+// All texels at random: the place is rounded in proportion to the size, and a step from one
+// texel to the next is as high as 1 a channel. rusticl filters textures of 8 bits in 8 bits:
+// each of the two blends' weights by up to 1 / 256, the colour by up to half of
+// 1 / 255.
+TEST_P(KernelsStage06Texture, TheFilterBlendsFourTexelsAcrossTheWrapToo) {
+    Dice dice;
+    const Scene scene = scene_of_pictures([&](int, int, int) {
+        return std::array{int(dice.between(0, 256 - 1e-6)), int(dice.between(0, 256 - 1e-6)),
+                          int(dice.between(0, 256 - 1e-6))};
+    });
+    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, 4 * ulp,
+                  on_rusticl() ? 2.0 / 256 + 0.5 / 255 : 4 * ulp);
+}
+
+TEST_P(KernelsStage06Texture, AMaterialWithoutATextureIsWhite) {
+    const Scene scene = scene_of_pictures([](int, int, int) { return std::array{0, 0, 0}; });
+    const std::vector<vec4> place{{0.3, 0.7, scene.materials.size() - 1, 0}};
+    const auto colors =
+        build("texture.cl", needs_of_pictures(scene)).run_in<vec4>(scene, "colors", place);
+    EXPECT_EQ(colors[0], vec4(1));
+}
+
+}  // namespace
+}  // namespace stagelight
