@@ -16,7 +16,7 @@ class Stage01Output : public Cli {
 protected:
     void expect_refused(const std::vector<std::string> &arguments, const std::string &text) const {
         const Files before = files();
-        expect_one_line(run("01_primitives", arguments), exit_user_error, text);
+        expect_one_line(run("01_primitives", arguments), users_mistake, text);
         EXPECT_EQ(files(), before);
     }
 };
@@ -59,7 +59,7 @@ TEST_F(Stage01Output, KeepsTheOldPictureWhenTheDiskIsFull) {
     expect_done(run("01_primitives", {"--size", "1024x640", "--out", "b.exr"}));
     ASSERT_GT(fs::file_size(folder.path() / "b.exr"), 2u << 20);
     const Start start{{"--size", "1024x640", "--out", "a.exr"}, {}, 1 << 20};
-    expect_one_line(run("01_primitives", start), exit_user_error,
+    expect_one_line(run("01_primitives", start), users_mistake,
                     "a.exr: cannot be written: File too large");
     EXPECT_EQ(files(), (Files{"a.exr", "b.exr"}));
     std::ifstream in(old);

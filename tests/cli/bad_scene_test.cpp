@@ -53,7 +53,7 @@ protected:
         folder.write("scene.toml", text);
         const std::vector<std::string> before = files();
         const Outcome outcome = run(stage, {"scene.toml"});
-        expect_one_line(outcome, exit_user_error, GetParam().text);
+        expect_one_line(outcome, users_mistake, GetParam().text);
         expect_part(outcome.err, "error: " + place);
         EXPECT_EQ(files(), before);
     }
@@ -170,13 +170,13 @@ class Stage01SceneFile : public Cli {};
 // Told at look_at, which the table has no mark for.
 TEST_F(Stage01SceneFile, WithACameraAlongUpIsToldWhere) {
     folder.write("scene.toml", std::string(camera) + "up = [0, 0.5, 4]\n");
-    expect_one_line(run("01_primitives", {"scene.toml"}), exit_user_error,
+    expect_one_line(run("01_primitives", {"scene.toml"}), users_mistake,
                     "error: scene.toml:3:11: the camera looks along up");
 }
 
 TEST_F(Stage01SceneFile, ThatCannotBeReadIsToldByName) {
     const auto expect_refused = [&](const std::string &file, const std::string &text) {
-        expect_one_line(run("01_primitives", {file}), exit_user_error, file + ": " + text);
+        expect_one_line(run("01_primitives", {file}), users_mistake, file + ": " + text);
         EXPECT_EQ(files(), std::vector<std::string>{});
     };
     expect_refused("nowhere.toml", "can't be opened");

@@ -86,7 +86,7 @@ TEST_F(Stage01Device, ThatIsNotThereIsToldWithTheList) {
     const Outcome list = run("01_primitives", {"--list-devices"});
     const auto expect_list = [&](const Start &start, const std::string &name) {
         const Outcome outcome = run("01_primitives", start);
-        EXPECT_EQ(outcome.code, exit_machine_error) << outcome;
+        EXPECT_EQ(outcome.code, machines_lack) << outcome;
         EXPECT_EQ(outcome.out, "");
         EXPECT_TRUE(outcome.err.starts_with("error: no OpenCL device '" + name + "'; there are:\n"
                                             + list.out))
@@ -104,8 +104,7 @@ TEST_F(Stage01Device, WithoutAnyTheRemedyIsNamed) {
     const std::string none = "OCL_ICD_VENDORS=" + (folder.path() / "no_drivers").string();
     const std::string remedy =
         "no OpenCL device: install a driver (Debian: apt-get install pocl-opencl-icd)";
-    expect_one_line(run("01_primitives", Start{{"--size", small}, {none}}), exit_machine_error,
-                    remedy);
+    expect_one_line(run("01_primitives", Start{{"--size", small}, {none}}), machines_lack, remedy);
     EXPECT_EQ(files(), std::vector<std::string>{"no_drivers"});
     const Outcome list = run("01_primitives", Start{{"--list-devices"}, {none}});
     expect_done(list);

@@ -39,7 +39,7 @@ protected:
     Outcome refused() const {
         const Outcome outcome =
             run("01_primitives", {"--kernels", "mine", "--size", small, "--out", "a.exr"});
-        EXPECT_EQ(outcome.code, exit_user_error) << outcome;
+        EXPECT_EQ(outcome.code, users_mistake) << outcome;
         EXPECT_FALSE(fs::exists(folder.path() / "a.exr"));
         return outcome;
     }
@@ -75,12 +75,11 @@ TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
 
 TEST_F(Stage01Kernels, ThatAreMissingAreToldByName) {
     fs::remove(folder.path() / "mine/kernels/sphere.cl");
-    expect_one_line(refused(), exit_user_error,
+    expect_one_line(refused(), users_mistake,
                     "mine/kernels/sphere.cl: can't be read; --kernels expects a folder that holds "
                     "kernels/ and stages/");
     fs::remove_all(folder.path() / "mine");
-    expect_one_line(refused(), exit_user_error,
-                    "mine/stages/01_primitives/kernel.cl: can't be read");
+    expect_one_line(refused(), users_mistake, "mine/stages/01_primitives/kernel.cl: can't be read");
 }
 
 }  // namespace

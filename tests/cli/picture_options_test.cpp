@@ -108,8 +108,7 @@ TEST_F(Stage01Samples, SmoothEdgesAndLeaveFlatAreasAlone) {
     EXPECT_GT(between, 20) << "expected the rim of the ball in steps";
 }
 
-// Both spheres of this mirror room are gone without bounces: what a mirror shows is dropped, and
-// said to be.
+// Without bounces mirrors are dark: what they would show is dropped, and said to be.
 TEST_F(Stage03Depth, CutsOffReflectionsAndSaysSo) {
     const PictureFile none = draw("03_reflection_glossy", {"--size", small, "--depth", "0"});
     expect_part(said(), " rays dropped: deeper than 0 bounces (--depth)\n");

@@ -8,13 +8,15 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/errors.h"
 #include "scene/temporary_folder.h"
 
 namespace stagelight::cli {
 
 // Pictures that take no time.
 constexpr auto small = "32x20";
+
+// The exit codes, as scripts know them.
+constexpr int users_mistake = 2, machines_lack = 3;
 
 // How a program ended, and what it said.
 struct Outcome {
@@ -47,7 +49,7 @@ protected:
 // It did what it was asked.
 void expect_done(const Outcome &outcome);
 // It ended with `code`, and its only word was one line on stderr that holds `text`.
-void expect_one_line(const Outcome &outcome, ExitCode code, const std::string &text);
+void expect_one_line(const Outcome &outcome, int code, const std::string &text);
 void expect_part(const std::string &text, const std::string &part);
 
 }  // namespace stagelight::cli
