@@ -5,9 +5,7 @@
 #include <cmath>
 
 namespace stagelight {
-namespace {
 
-// min(absolute, relative) error of the worst channel: |p - t| / max(1, |t|).
 double error_of(const glm::vec3 &picture, const glm::vec3 &truth) {
     double worst = 0;
     for (int i = 0; i < 3; ++i) {
@@ -16,6 +14,8 @@ double error_of(const glm::vec3 &picture, const glm::vec3 &truth) {
     }
     return worst;
 }
+
+namespace {
 
 bool matches_a_neighbour(const glm::vec3 &pixel, const Image &truth, int x, int y,
                          double tolerance) {

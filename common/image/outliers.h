@@ -8,6 +8,9 @@
 
 namespace stagelight {
 
+// min(absolute, relative) error of the worst channel: |p - t| / max(1, |t|).
+double error_of(const glm::vec3 &picture, const glm::vec3 &truth);
+
 // The pixel of the largest error of a kind.
 struct Worst {
     double error = 0;
