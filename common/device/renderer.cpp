@@ -106,6 +106,11 @@ Renderer::Renderer(const cl::Device &device, const std::string &stage, const Sce
     for (cl_uint i = 0; i < names.size(); ++i) {
         arguments_[names[i]] = i;
     }
+    for (const char *name : {"image", "camera"}) {
+        if (!arguments_.contains(name)) {
+            throw KernelError(fmt::format("the kernel 'render' has no argument '{}'", name));
+        }
+    }
     image_ =
         cl::Buffer(context_, CL_MEM_WRITE_ONLY, pixel_count(settings) * sizeof(device::float4));
     kernel_.setArg(arguments_.at("image"), image_);

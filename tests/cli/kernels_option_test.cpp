@@ -73,6 +73,12 @@ TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
     expect_part(outcome.err, "normalise");
 }
 
+TEST_F(Stage01Kernels, ThatLackAnArgumentAreTold) {
+    replace("stages/01_primitives/kernel.cl", "float4 *image", "float4 *picture");
+    replace("stages/01_primitives/kernel.cl", "    image[", "    picture[");
+    expect_one_line(refused(), users_mistake, "the kernel 'render' has no argument 'image'");
+}
+
 TEST_F(Stage01Kernels, ThatAreMissingAreToldByName) {
     fs::remove(folder.path() / "mine/kernels/sphere.cl");
     expect_one_line(refused(), users_mistake,
