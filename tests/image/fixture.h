@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/errors.h"
+#include "scene/temporary_folder.h"
 
 namespace stagelight {
 
@@ -27,17 +27,15 @@ inline void write_bytes(const Path &file, const std::string &bytes) {
 // A folder of its own for each test, gone afterwards.
 class InFolder : public testing::Test {
 protected:
-    InFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "stagelight_image_XXXXXX";
-        folder = mkdtemp(name.data());
-    }
-    ~InFolder() override { std::filesystem::remove_all(folder); }
-
     std::ptrdiff_t files() const {
         return std::distance(std::filesystem::directory_iterator(folder), {});
     }
 
-    Path folder;
+private:
+    TemporaryFolder temporary_;
+
+protected:
+    const Path folder = temporary_.path();
 };
 
 // The message of the UserError that `call` must throw: one line that holds `expected`.
