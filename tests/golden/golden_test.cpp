@@ -2,7 +2,7 @@
 // Every stage's scenes on two OpenCL implementations that share no compiler: held to the golden
 // pictures and to the reference, and the golden pictures to the reference that they are from.
 #include <algorithm>
-#include <cstdlib>
+#include <iterator>
 #include <string>
 #include <tuple>
 
@@ -10,15 +10,13 @@
 
 #include "golden/suite.h"
 #include "image/outliers.h"
+#include "implementations.h"
 #include "scene/lessons.h"
 
 namespace stagelight::golden {
 namespace {
 
-// Names of devices: PoCL's, and rusticl's on Mesa's llvmpipe, which must be asked for before
-// the first call into OpenCL.
-const std::vector<std::string> devices = {"pthread", "llvmpipe"};
-const bool rusticl_enabled = setenv("RUSTICL_ENABLE", "llvmpipe", 1) == 0;
+const std::vector<std::string> devices(std::begin(implementations), std::end(implementations));
 
 using SceneOnDevice = std::tuple<GoldenScene, std::string>;
 

@@ -2,22 +2,19 @@
 // Pictures of a stage's kernel, drawn on two OpenCL implementations that share no compiler.
 #pragma once
 
-#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "device/device_choice.h"
 #include "device/renderer.h"
+#include "implementations.h"
 #include "reference/scenes.h"
 #include "scene/scene.h"
 
 namespace stagelight::render {
 
 using namespace reference;  // its small scenes
-
-// Rusticl must be asked for before the first call into OpenCL.
-inline const bool rusticl_enabled = setenv("RUSTICL_ENABLE", "llvmpipe", 1) == 0;
 
 // Of a scene that says its own size and depth.
 inline RenderSettings settings_of(const Scene &scene) {
@@ -42,9 +39,8 @@ protected:
     }
 };
 
-// By parts of their names: PoCL's and rusticl's on Mesa's llvmpipe. Both are in packages.txt.
 inline auto each_device() {
-    return testing::Values("pthread", "llvmpipe");
+    return testing::ValuesIn(implementations);
 }
 
 inline std::string device_name(const testing::TestParamInfo<const char *> &info) {
