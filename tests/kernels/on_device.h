@@ -13,15 +13,13 @@
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
 
+#include "device/device_choice.h"
 #include "device/device_scene.h"
 #include "device/opencl.h"
 #include "device/renderer.h"
+#include "implementations.h"
 
 namespace stagelight {
-
-// That of the platform with this in its name. Both that the tests name are in packages.txt, so
-// one that is missing is an error.
-cl::Device device_of(const std::string &platform);
 
 // One file of tests/kernels, built for one device as a stage's kernel is. The arguments of its
 // kernels are the results, the inputs, one of each for a work-item, and then the scene if any.
@@ -86,16 +84,16 @@ protected:
                                const Methods &methods = {}) {
         return {device(), file, needs, methods};
     }
-    static cl::Device device() { return device_of(GetParam()); }
-    static bool on_rusticl() { return GetParam() == std::string("rusticl"); }
+    static cl::Device device() { return choose_device(GetParam()); }
+    static bool on_rusticl() { return GetParam() == std::string("llvmpipe"); }
 };
 
 inline auto each_device() {
-    return testing::Values("Portable Computing Language", "rusticl");
+    return testing::ValuesIn(implementations);
 }
 
 inline std::string device_name(const testing::TestParamInfo<const char *> &info) {
-    return info.index == 0 ? "pocl" : "llvmpipe";
+    return info.param;
 }
 
 }  // namespace stagelight
