@@ -17,7 +17,6 @@ using Notify = void(CL_CALLBACK *)(const char *, const void *, std::size_t, void
 
 void remember(cl_context handle, std::vector<cl_context_properties> properties,
               std::unique_ptr<GlContext> gl) {
-    gl->mark_if_current();
     contexts.add(handle, std::make_shared<SharingContext>(
                              SharingContext{handle, std::move(properties), std::move(gl)}));
 }
@@ -39,6 +38,9 @@ cl_context create(const cl_context_properties *list, const std::vector<cl_device
             || std::ranges::all_of(
                 devices, [](cl_device_id each) { return is_served(each) || shares_itself(each); }),
         CL_INVALID_OPERATION, "the layer needs devices of OpenCL 1.2 or later");
+    if (gl != nullptr) {
+        gl->mark_if_current();
+    }
     const cl_context handle = make(properties.others.data());
     if (gl != nullptr) {
         remember(handle, std::move(properties.all), std::move(gl));

@@ -40,6 +40,12 @@ bool egl_knows(EGLDisplay display, EGLContext context) {
            && api == EGL_OPENGL_API;
 }
 
+void require_version() {
+    require(epoxy_is_desktop_gl() && epoxy_gl_version() >= 32,
+            CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR,
+            "the layer needs OpenGL 3.2 or later, and not OpenGL ES");
+}
+
 }  // namespace
 
 // The program's context may be gone, and its name of the buffer another's: only what is surely the
@@ -51,10 +57,11 @@ GlContext::~GlContext() {
 }
 
 bool GlContext::is_valid() const {
+    if (binding_ == Binding::egl) {
+        return egl_knows(display_, handle_);
+    }
     return current() == handle_
-           || (binding_ == Binding::glx
-                   ? glx_knows(static_cast<Display *>(display_), static_cast<GLXContext>(handle_))
-                   : egl_knows(display_, handle_));
+           || glx_knows(static_cast<Display *>(display_), static_cast<GLXContext>(handle_));
 }
 
 void *GlContext::current() const {
@@ -63,8 +70,12 @@ void *GlContext::current() const {
 }
 
 void GlContext::mark_if_current() {
+    if (current() != handle_) {
+        return;
+    }
+    require_version();
     const std::scoped_lock lock(mutex_);
-    if (mark_ != 0 || current() != handle_) {
+    if (mark_ != 0) {
         return;
     }
     std::random_device random;
@@ -96,8 +107,7 @@ void GlContext::require_current() {
     void *const now = current();
     require(now != nullptr, CL_INVALID_OPERATION,
             "no OpenGL context is current on the calling thread: a layer that copies needs it");
-    require(epoxy_is_desktop_gl() && epoxy_gl_version() >= 32,
-            CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR, "the layer needs OpenGL 3.2 or later");
+    require_version();
     mark_if_current();
     const std::scoped_lock lock(mutex_);
     require(now == handle_ || (mark_ != 0 && carries_mark()),

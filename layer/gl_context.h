@@ -27,7 +27,8 @@ public:
     // CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR when it is a stranger or older than OpenGL 3.2.
     void require_current();
 
-    // Prepares for being recognised from other contexts, if this one is current.
+    // Prepares for being recognised from other contexts, if this one is current. Throws Refusal
+    // CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR when it is older than OpenGL 3.2.
     void mark_if_current();
 
 private:
