@@ -2,6 +2,7 @@
 #include "contexts.h"
 
 #include <algorithm>
+#include <functional>
 
 #include <CL/cl_gl.h>
 
@@ -26,18 +27,17 @@ template <typename Make>
 cl_context create(const cl_context_properties *list, const std::vector<cl_device_id> &devices,
                   Make make) {
     ContextProperties properties(list);
-    if (!properties.name_gl()
-        || std::ranges::all_of(devices, [](cl_device_id each) { return shares_itself(each); })) {
+    const auto shares = [](cl_device_id each) { return shares_itself(each); };
+    const bool drivers = !devices.empty() && std::ranges::all_of(devices, shares);
+    if (!properties.name_gl() || drivers) {
         return make(list);
     }
     std::unique_ptr<GlContext> gl = named_gl_context(properties);
     // "Any of the devices … cannot support OpenCL objects which share the data store of an OpenGL
     // object."
-    require(
-        gl == nullptr
-            || std::ranges::all_of(
-                devices, [](cl_device_id each) { return is_served(each) || shares_itself(each); }),
-        CL_INVALID_OPERATION, "the layer needs devices of OpenCL 1.2 or later");
+    const auto can_share = [&](cl_device_id each) { return shares(each) || is_served(each); };
+    require(gl == nullptr || std::ranges::all_of(devices, can_share), CL_INVALID_OPERATION,
+            "the layer needs devices of OpenCL 1.2 or later");
     if (gl != nullptr) {
         gl->mark_if_current();
     }
@@ -118,7 +118,8 @@ cl_int CL_API_CALL get_gl_context_info(const cl_context_properties *list, cl_gl_
         require(properties.platform != nullptr, CL_INVALID_PLATFORM,
                 "clGetGLContextInfoKHR needs CL_CONTEXT_PLATFORM");
         std::vector<cl_device_id> devices = devices_of(properties.platform, CL_DEVICE_TYPE_ALL);
-        if (std::ranges::any_of(devices, [](cl_device_id each) { return shares_itself(each); })) {
+        const auto shares = [](cl_device_id each) { return shares_itself(each); };
+        if (std::ranges::any_of(devices, shares)) {
             return require(driver->clGetGLContextInfoKHR(list, name, size, value, size_ret));
         }
         // Beside those of OpenGL the platform alone, and the last 0.
@@ -126,7 +127,7 @@ cl_int CL_API_CALL get_gl_context_info(const cl_context_properties *list, cl_gl_
                 "clGetGLContextInfoKHR does not know one of the properties");
         require(named_gl_context(properties) != nullptr, CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR,
                 "the properties name no OpenGL context");
-        std::erase_if(devices, [](cl_device_id each) { return !is_served(each); });
+        std::erase_if(devices, std::not_fn(is_served));
         give_devices(devices, name, Query{size, value, size_ret});
     });
 }

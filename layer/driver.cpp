@@ -11,7 +11,7 @@ namespace stagelight {
 void Query::give(const void *data, std::size_t bytes) const {
     require(value == nullptr || size >= bytes, CL_INVALID_VALUE,
             "the room for a query's result is too small");
-    if (value != nullptr) {
+    if (value != nullptr && bytes > 0) {
         std::memcpy(value, data, bytes);
     }
     if (size_ret != nullptr) {

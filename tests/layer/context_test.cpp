@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // OpenCL contexts made from OpenGL contexts: cl_khr_gl_sharing, "Additions to Chapter 4".
-#include <cstdlib>
-
 #include "layer/sharing.h"
 
 namespace stagelight {
@@ -146,6 +144,17 @@ TEST_P(GlContexts, OfDefaultsAreNone) {
               CL_SUCCESS);
     EXPECT_EQ(code_of_create(with({})), CL_SUCCESS);
     EXPECT_EQ(code_of_info(with({})), CL_INVALID_GL_SHAREGROUP_REFERENCE_KHR);
+}
+
+TEST_P(GlContexts, WithoutADeviceAreNotFound) {
+    cl_int code = CL_SUCCESS;
+    const Properties properties = window.properties(platform);
+    EXPECT_EQ(clCreateContextFromType(properties.data(), CL_DEVICE_TYPE_ACCELERATOR, nullptr,
+                                      nullptr, &code),
+              nullptr);
+    EXPECT_EQ(code, CL_DEVICE_NOT_FOUND);
+    EXPECT_EQ(clCreateContext(properties.data(), 0, nullptr, nullptr, nullptr, &code), nullptr);
+    EXPECT_EQ(code, CL_INVALID_VALUE);
 }
 
 TEST_P(GlContexts, KnowTheirDevices) {
