@@ -62,8 +62,12 @@ TEST_P(Transfer, StaysInItsContext) {
     const cl::Context sibling(sharing.device, sharing.window.properties(sharing.platform).data());
     for (const cl::Context &other : {plain, sibling}) {
         const cl::CommandQueue queue(other, sharing.device);
+        ::testing::internal::CaptureStderr();
         EXPECT_EQ(clEnqueueAcquireGLObjects(queue(), 1, &image(), 0, nullptr, nullptr),
                   CL_INVALID_CONTEXT);
+        // From the layer: the driver would only find it after the copy.
+        EXPECT_NE(::testing::internal::GetCapturedStderr().find("another context"),
+                  std::string::npos);
     }
 }
 
