@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene/errors.h"
+#include "scene/lessons.h"
 #include "scene/scene_file.h"
 
 namespace stagelight {
@@ -31,9 +32,9 @@ std::pair<int, int> parse_size(const std::string &text) {
     return {width, height};
 }
 
-std::string method_help() {
+std::string method_help(int stage) {
     std::string help;
-    for (const Method &method : all_methods()) {
+    for (const Method &method : methods_of(stage)) {
         help += fmt::format("\n{}={}  ({})", method.kind, method.name, method.source);
     }
     return help;
@@ -70,7 +71,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
         ->check(CLI::Range(1, most_frames))
         ->capture_default_str();
     app.add_option("--method", methods,
-                   "KIND=NAME, the first of a kind is the default:" + method_help())
+                   "KIND=NAME, the first of a kind is the default:"
+                       + method_help(stage_number(stage)))
         ->take_all();
     app.add_option("--kernels", options.kernels,
                    "read the kernels from DIR, which holds kernels/ and stages/");
@@ -89,7 +91,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
         options.size = parse_size(size);
     }
     for (const std::string &choice : methods) {
-        choose_method(options.methods, choice);
+        choose_method(options.methods, choice, stage_number(stage));
     }
     return options;
 }

@@ -69,7 +69,7 @@ int render(const std::string &stage, const Options &options) {
         frames.push_back(frame.milliseconds);
     }
 
-    write_image(frame.image, options.out);
+    write_image(frame.image, options.out, encode_of(stage_number(stage), options.methods));
     if (options.stats) {
         const std::string json = stats_json(stage, renderer, settings, frames, frame);
         write_whole(std::vector<unsigned char>(json.begin(), json.end()), *options.stats);

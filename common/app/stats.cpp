@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scene/lessons.h"
+
 namespace stagelight {
 namespace {
 
@@ -46,9 +48,9 @@ ordered_json needs_json(const SceneNeeds &needs) {
     return json;
 }
 
-ordered_json methods_json(const Methods &chosen) {
-    ordered_json json;
-    for (const Method &method : all_methods()) {
+ordered_json methods_json(int stage, const Methods &chosen) {
+    ordered_json json = ordered_json::object();
+    for (const Method &method : methods_of(stage)) {
         if (!json.contains(method.kind)) {
             const auto choice = chosen.find(method.kind);
             json[method.kind] = choice == chosen.end() ? method.name : choice->second;
@@ -77,7 +79,7 @@ std::string stats_json(const std::string &stage, const Renderer &renderer,
         {"size", {settings.width, settings.height}},
         {"samples", settings.samples},
         {"max_depth", settings.max_depth},
-        {"methods", methods_json(settings.methods)},
+        {"methods", methods_json(stage_number(stage), settings.methods)},
         {"frames", {{"milliseconds", frames}, {"median", median(frames)}}},
         {"rays", rays_json(last.rays)},
         {"dropped_rays", last.rays.dropped},

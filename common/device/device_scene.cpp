@@ -87,14 +87,14 @@ std::vector<std::string> argument_names(const cl::Kernel &kernel) {
 }
 
 DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                         const Scene &scene) {
+                         const Scene &scene, Transfer decode) {
     const std::vector<std::string> names = argument_names(kernel);
     for (cl_uint i = 0; i < names.size(); ++i) {
         const std::string &name = names[i];
         if (name == "background") {
             kernel.setArg(i, to_float4(scene.background));
         } else if (name == "textures") {
-            textures_.emplace(context, device, scene);
+            textures_.emplace(context, device, scene, decode);
             bytes_[name] = textures_->bytes();
             kernel.setArg(i, textures_->image());
         } else if (Bytes bytes = contents(name, scene); !bytes.empty()) {

@@ -16,9 +16,9 @@ namespace stagelight {
 class DeviceScene {
 public:
     // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl), by its name.
-    // Throws as TextureArray does.
+    // Texels are decoded by `decode`. Throws as TextureArray does.
     DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                const Scene &scene);
+                const Scene &scene, Transfer decode = Transfer::none);
 
     // What lies on the device, by argument.
     const std::map<std::string, std::size_t> &bytes() const { return bytes_; }

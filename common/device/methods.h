@@ -6,25 +6,34 @@
 #include <string>
 #include <vector>
 
+#include "image/transfer.h"
+
 namespace stagelight {
 
 struct Method {
     std::string kind;
     std::string name;
-    std::string define;  // what the kernels are built with; empty for the default
-    std::string source;  // where it comes from
+    int first_stage = 1;  // the number of the stage that teaches it
+    std::string define;   // what the kernels are built with; empty for the default, and the host's
+    std::string source;   // where it comes from
 };
 
-// All there are; of each kind the first is the default.
-const std::vector<Method> &all_methods();
+// What there is from stage 1 to `stage`; of each kind the first is the default.
+std::vector<Method> methods_of(int stage);
 
 // What was chosen, by kind; a kind that is missing stands for its default.
 using Methods = std::map<std::string, std::string>;
 
-// Adds a choice "KIND=NAME". Throws UserError with the list of what there is.
-void choose_method(Methods &methods, const std::string &choice);
+// Adds a choice "KIND=NAME". Throws UserError with the list of what `stage` has, or with the first
+// stage that has the choice.
+void choose_method(Methods &methods, const std::string &choice, int stage);
 
 // The names to define for the chosen methods.
 std::vector<std::string> defines_of(const Methods &methods);
+
+// The curve that texels are decoded with on load (kind "decode"), and the one that a picture is
+// encoded with where it is shown or stored in few bits ("encode"): none before stage 08.
+Transfer decode_of(int stage, const Methods &methods);
+Transfer encode_of(int stage, const Methods &methods);
 
 }  // namespace stagelight

@@ -100,7 +100,8 @@ Renderer::Renderer(const cl::Device &device, const std::string &stage, const Sce
     kernel_ = cl::Kernel(build_program(context_, source, options_, settings.kernels.has_value()),
                          "render");
     build_milliseconds_ = milliseconds_since(start);
-    scene_.emplace(context_, device, kernel_, scene);
+    scene_.emplace(context_, device, kernel_, scene,
+                   decode_of(stage_number(stage), settings.methods));
 
     const std::vector<std::string> names = argument_names(kernel_);
     for (cl_uint i = 0; i < names.size(); ++i) {

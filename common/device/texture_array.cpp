@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
+#include <numeric>
 #include <vector>
 
+#include <CL/cl_half.h>
 #include <fmt/format.h>
 
 #include "scene/errors.h"
@@ -14,15 +15,36 @@
 namespace stagelight {
 namespace {
 
-constexpr std::size_t texel_bytes = 4;
+constexpr std::size_t channels = 4;
+
+// What is stored for each of a channel's 256 codes.
+template <typename Channel> using Codes = std::array<Channel, 256>;
+
+Codes<std::uint8_t> undecoded_codes() {
+    Codes<std::uint8_t> codes{};
+    std::iota(codes.begin(), codes.end(), std::uint8_t{0});
+    return codes;
+}
+
+Codes<cl_half> decoded_codes(Transfer decode) {
+    Codes<cl_half> codes{};
+    for (std::size_t code = 0; code < codes.size(); ++code) {
+        const float light = stagelight::decode(decode, static_cast<float>(code) / 255);
+        codes[code] = cl_half_from_float(light, CL_HALF_RTE);
+    }
+    return codes;
+}
 
 std::size_t wrap(std::size_t index_with_border, int size) {
     const auto count = static_cast<std::size_t>(size);
     return (index_with_border + count - 1) % count;
 }
 
-// The texture with its border, in the upper left corner of a layer of `width` texels a row.
-void copy_with_border(const Texture &texture, std::uint8_t *layer, std::size_t width) {
+// The texture with its border, in the upper left corner of a layer of `width` texels a row. Alpha
+// goes the way of the others: nobody reads it.
+template <typename Channel>
+void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Channel *layer,
+                      std::size_t width) {
     const auto columns = static_cast<std::size_t>(texture.width) + 2;
     const auto rows = static_cast<std::size_t>(texture.height) + 2;
     for (std::size_t y = 0; y < rows; ++y) {
@@ -30,10 +52,32 @@ void copy_with_border(const Texture &texture, std::uint8_t *layer, std::size_t w
             const std::size_t source =
                 wrap(y, texture.height) * static_cast<std::size_t>(texture.width)
                 + wrap(x, texture.width);
-            std::memcpy(layer + (y * width + x) * texel_bytes,
-                        texture.texels.data() + source * texel_bytes, texel_bytes);
+            std::transform(&texture.texels[source * channels],
+                           &texture.texels[source * channels] + channels,
+                           layer + (y * width + x) * channels,
+                           [&codes](std::uint8_t code) { return codes[code]; });
         }
     }
+}
+
+template <typename Channel>
+cl::Image2DArray make_image(const cl::Context &context, const std::vector<Texture> &textures,
+                            std::size_t width, std::size_t height, cl_channel_type type,
+                            const Codes<Channel> &codes) {
+    const std::size_t layer = width * height * channels;
+    std::vector<Channel> texels(textures.size() * layer);
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        copy_with_border(textures[i], codes, texels.data() + i * layer, width);
+    }
+    return {context,
+            CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+            cl::ImageFormat(CL_RGBA, type),
+            textures.size(),
+            width,
+            height,
+            0,
+            0,
+            texels.data()};
 }
 
 void require_size(const Texture &texture, std::size_t largest_width, std::size_t largest_height) {
@@ -47,8 +91,8 @@ void require_size(const Texture &texture, std::size_t largest_width, std::size_t
 
 }  // namespace
 
-TextureArray::TextureArray(const cl::Context &context, const cl::Device &device,
-                           const Scene &scene) {
+TextureArray::TextureArray(const cl::Context &context, const cl::Device &device, const Scene &scene,
+                           Transfer decode) {
     if (device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_FALSE) {
         throw MachineError(device.getInfo<CL_DEVICE_NAME>()
                            + " has no images, which textures need; choose another --device");
@@ -62,7 +106,9 @@ TextureArray::TextureArray(const cl::Context &context, const cl::Device &device,
         height = std::max(height, static_cast<std::size_t>(texture.height) + 2);
     }
     const std::size_t layers = scene.textures.size();
-    bytes_ = layers * width * height * texel_bytes;
+    const bool decoded = decode != Transfer::none;
+    bytes_ =
+        layers * width * height * channels * (decoded ? sizeof(cl_half) : sizeof(std::uint8_t));
     if (layers > device.getInfo<CL_DEVICE_IMAGE_MAX_ARRAY_SIZE>()
         || bytes_ > device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) {
         throw UserError(fmt::format(
@@ -72,14 +118,10 @@ TextureArray::TextureArray(const cl::Context &context, const cl::Device &device,
             device.getInfo<CL_DEVICE_IMAGE_MAX_ARRAY_SIZE>(),
             device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()));
     }
-    std::vector<std::uint8_t> texels(bytes_);
-    for (std::size_t i = 0; i < layers; ++i) {
-        copy_with_border(scene.textures[i], texels.data() + i * width * height * texel_bytes,
-                         width);
-    }
-    image_ = cl::Image2DArray(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
-                              cl::ImageFormat(CL_RGBA, CL_UNORM_INT8), layers, width, height, 0, 0,
-                              texels.data());
+    image_ = decoded ? make_image(context, scene.textures, width, height, CL_HALF_FLOAT,
+                                  decoded_codes(decode))
+                     : make_image(context, scene.textures, width, height, CL_UNORM_INT8,
+                                  undecoded_codes());
 }
 
 }  // namespace stagelight

@@ -42,7 +42,7 @@ void require_picture_name(const std::filesystem::path &file) {
 }
 
 // In memory, because OpenImageIO 2.4 reports success when it writes a PNG to a full disk.
-Bytes encode(const char *format, const OIIO::ImageSpec &spec, TypeDesc type, const void *values) {
+Bytes file_of(const char *format, const OIIO::ImageSpec &spec, TypeDesc type, const void *values) {
     Bytes bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create(format, &memory);
@@ -62,23 +62,33 @@ OIIO::ImageSpec spec_of(const Image &image, int channels, TypeDesc type) {
 // The date would make two files of one picture differ; OpenImageIO writes one if there is none.
 Bytes encode_exr(OIIO::ImageSpec spec, const void *floats) {
     spec.attribute("DateTime", "");
-    return encode("openexr", spec, TypeDesc::FLOAT, floats);
+    return file_of("openexr", spec, TypeDesc::FLOAT, floats);
 }
 
-// The nearest of 256 steps. Not a number is black: PNG has nothing for it.
-unsigned char to_byte(float value) {
-    return value > 0 ? static_cast<unsigned char>(std::min(value, 1.0F) * 255 + 0.5F)
-                     : static_cast<unsigned char>(0);
+// How the file says what its values are (PNG specification, sections 11.3.2.1 and 11.3.2.5): the
+// chunk sRGB, with the gAMA and cHRM that old readers know, or gAMA alone.
+void name_curve(OIIO::ImageSpec &spec, Transfer curve) {
+    if (curve == Transfer::srgb) {
+        spec.attribute("oiio:ColorSpace", "sRGB");
+    } else if (curve == Transfer::power) {
+        spec.attribute("oiio:ColorSpace", "GammaCorrected");
+        spec.attribute("oiio:Gamma", 2.2F);
+    }
 }
 
-// The bytes are ours, and no colour space is named, so OpenImageIO converts nothing.
-Bytes encode_png(const Image &image) {
+// The bytes are ours: OpenImageIO, which gets and writes 8 bits, converts nothing.
+Bytes encode_png(const Image &image, Transfer curve) {
+    const auto to_byte = [curve](float light) {
+        return static_cast<unsigned char>(encode(curve, light) * 255 + 0.5F);
+    };
     Bytes bytes;
     bytes.reserve(3 * image.pixels.size());
     for (const glm::vec3 &pixel : image.pixels) {
         bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)});
     }
-    return encode("png", spec_of(image, 3, TypeDesc::UINT8), TypeDesc::UINT8, bytes.data());
+    OIIO::ImageSpec spec = spec_of(image, 3, TypeDesc::UINT8);
+    name_curve(spec, curve);
+    return file_of("png", spec, TypeDesc::UINT8, bytes.data());
 }
 
 // R, G, B and edge of each pixel; what half precision cannot hold is refused, not made infinite.
@@ -118,10 +128,10 @@ void require_writable(const std::filesystem::path &file) {
     require_writable_place(file);
 }
 
-void write_image(const Image &image, const std::filesystem::path &file) {
+void write_image(const Image &image, const std::filesystem::path &file, Transfer encode) {
     require_picture_name(file);
     write_whole(extension_of(file) == ".png"
-                    ? encode_png(image)
+                    ? encode_png(image, encode)
                     : encode_exr(spec_of(image, 3, TypeDesc::FLOAT), image.pixels.data()),
                 file);
 }

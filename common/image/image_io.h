@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/transfer.h"
 
 namespace stagelight {
 
@@ -14,10 +15,10 @@ namespace stagelight {
 // written to: asked before anything is rendered.
 void require_writable(const std::filesystem::path &file);
 
-// Writes .png (8 bits, values clamped to [0, 1], NaN black, not encoded: gamma is stage 08's) or
-// .exr (32-bit float, linear) to a temporary name beside `file` and renames it, so that
-// a failure (a full disk) leaves no half picture and the old one as it was. Throws UserError.
-void write_image(const Image &image, const std::filesystem::path &file);
+// Writes .png (encoded, then rounded to 8 bits; it names its curve, unless that is none) or .exr
+// (32-bit float, always linear) to a temporary name beside `file` and renames it, so that a failure
+// (a full disk) leaves no half picture and the old one as it was. Throws UserError.
+void write_image(const Image &image, const std::filesystem::path &file, Transfer encode);
 
 // A golden picture: 16-bit float EXR with the channels R, G, B, edge.
 struct Golden {

@@ -11,6 +11,7 @@
 #include <glm/vec2.hpp>
 
 #include "image/image.h"
+#include "image/transfer.h"
 #include "scene/scene.h"
 
 namespace stagelight::reference {
@@ -26,6 +27,7 @@ struct Settings {
     int height = 192;
     int max_depth = 8;
     Interior interior = Interior::full;
+    Transfer decode = Transfer::none;  // which curve takes texels to light
 };
 
 struct Result {

@@ -51,7 +51,7 @@ private:
                    ? color
                    : color
                          * sample_texture(scene_.textures[std::size_t(material.texture)],
-                                          hit.texture_coordinates);
+                                          settings_.decode, hit.texture_coordinates);
     }
 
     const World<Number> &world_;

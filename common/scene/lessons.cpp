@@ -104,11 +104,10 @@ void require_learnt(const Scene &scene, int stage) {
     if (lessons.empty() || lessons.back().first_stage <= stage) {
         return;
     }
-    const auto name = [](int number) { return stage_names[static_cast<std::size_t>(number - 1)]; };
     const Lesson &last = lessons.back();
-    throw UserError(
-        fmt::format("{}: a {}: {} has not learnt that yet; {} is the first stage that can draw it",
-                    to_string(last.where), last.what, name(stage), name(last.first_stage)));
+    throw UserError(fmt::format(
+        "{}: a {}: {} has not learnt that yet; {} is the first stage that can draw it",
+        to_string(last.where), last.what, stage_name(stage), stage_name(last.first_stage)));
 }
 
 }  // namespace stagelight

@@ -22,6 +22,10 @@ inline int stage_number(std::string_view name) {
     return (name[0] - '0') * 10 + (name[1] - '0');
 }
 
+inline std::string_view stage_name(int number) {
+    return stage_names[static_cast<std::size_t>(number - 1)];
+}
+
 struct Lesson {
     std::string what;      // "dielectric material", "mesh", …
     int first_stage = 1;   // the number of the stage that teaches it

@@ -10,9 +10,13 @@ namespace {
 
 using Files = std::vector<std::string>;
 
-const std::vector<std::string> stages{
-    "01_primitives",      "02_shading_shadows", "03_reflection_glossy",
-    "04_refraction_beer", "05_meshes",          "06_textures"};
+const std::vector<std::string> stages{"01_primitives",
+                                      "02_shading_shadows",
+                                      "03_reflection_glossy",
+                                      "04_refraction_beer",
+                                      "05_meshes",
+                                      "06_textures",
+                                      "08_gamma"};
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 
@@ -37,8 +41,17 @@ TEST_P(EveryStage, HelpListsEveryOption) {
                                "kernels", "stats", "list-devices"}) {
         expect_part(outcome.out, fmt::format("\n  --{} ", option));
     }
-    for (const char *part : {"\n  scene ", "--help ", "interior=full ", "interior=paper "}) {
+    for (const char *part : {"\n  scene ", "--help "}) {
         expect_part(outcome.out, part);
+    }
+    for (const auto &[method, first_stage] : {std::pair{"interior=full ", "04"},
+                                              {"interior=paper ", "04"},
+                                              {"decode=srgb ", "08"},
+                                              {"decode=2.2 ", "08"},
+                                              {"encode=srgb ", "08"},
+                                              {"encode=2.2 ", "08"}}) {
+        EXPECT_EQ(outcome.out.find(method) != std::string::npos, GetParam() >= first_stage)
+            << method;
     }
     expect_part(outcome.out, "/scenes/" + GetParam() + ".toml");
     EXPECT_EQ(files(), Files{});
@@ -48,6 +61,7 @@ struct BadOption {
     std::string name;
     std::vector<std::string> arguments;
     std::string text;
+    std::string stage = "01_primitives";
 };
 
 void PrintTo(const BadOption &option, std::ostream *stream) {
@@ -57,7 +71,7 @@ void PrintTo(const BadOption &option, std::ostream *stream) {
 class BadOptions : public Cli, public testing::WithParamInterface<BadOption> {};
 
 TEST_P(BadOptions, AreToldInOneLine) {
-    expect_one_line(run("01_primitives", GetParam().arguments), users_mistake, GetParam().text);
+    expect_one_line(run(GetParam().stage, GetParam().arguments), users_mistake, GetParam().text);
     EXPECT_EQ(files(), Files{});
 }
 
@@ -86,14 +100,44 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"depth_negative", {"--depth", "-1"}, "--depth"},
         BadOption{"depth_enormous", {"--depth", "65"}, "--depth"},
         BadOption{"frames_zero", {"--frames", "0"}, "--frames"},
-        BadOption{"method_unknown",
+        BadOption{"method_where_there_is_none",
                   {"--method", "interior=none"},
-                  "--method interior=none: expected one of interior=full, interior=paper"},
-        BadOption{"method_kind", {"--method", "exterior=full"}, "interior=full, interior=paper"},
+                  "--method interior=none: expected none: 01_primitives has no methods"},
+        BadOption{"method_too_early",
+                  {"--method", "interior=paper"},
+                  "--method interior=paper: 01_primitives has not learnt that yet; "
+                  "04_refraction_beer is the first stage that has it"},
         BadOption{"method_missing", {"--method"}, "--method"},
         BadOption{
             "out_jpg", {"--out", "a.jpg"}, "a.jpg: expected a name that ends in .png or .exr"},
         BadOption{"out_nothing", {"--out", ""}, "expected a name that ends in .png or .exr"}),
+    its_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Stage04, BadOptions,
+    testing::Values(
+        BadOption{"method_unknown",
+                  {"--method", "interior=none"},
+                  "--method interior=none: expected one of interior=full, interior=paper\n",
+                  "04_refraction_beer"},
+        BadOption{"method_kind",
+                  {"--method", "exterior=full"},
+                  "expected one of interior=full, interior=paper\n",
+                  "04_refraction_beer"}),
+    its_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Stage08, BadOptions,
+    testing::Values(BadOption{"method_unknown",
+                              {"--method", "decode=gamma"},
+                              "--method decode=gamma: expected one of interior=full, "
+                              "interior=paper, decode=srgb, decode=2.2, encode=srgb, encode=2.2\n",
+                              "08_gamma"},
+                    BadOption{"method_too_early",
+                              {"--method", "encode=2.2"},
+                              "--method encode=2.2: 06_textures has not learnt that yet; "
+                              "08_gamma is the first stage that has it",
+                              "06_textures"}),
     its_name);
 
 }  // namespace

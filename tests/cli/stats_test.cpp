@@ -30,6 +30,7 @@ private:
 
 class Stage01Stats : public StatsFile {};
 class Stage04Stats : public StatsFile {};
+class Stage08Stats : public StatsFile {};
 
 TEST_F(Stage01Stats, HaveATimeForEachFrame) {
     const json stats = this->stats("01_primitives", {"--frames", "4"});
@@ -66,6 +67,7 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
                                                  {"planes", 32},
                                                  {"image", 32 * 20 * 16},
                                                  {"total", 7 * 32 + 32 + 32 * 20 * 16}}));
+    EXPECT_EQ(stats.at("methods"), json::object());
     EXPECT_EQ(stats.at("rays"),
               json({{"primary", 32 * 20}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}));
     EXPECT_EQ(stats.at("dropped_rays"), 0);
@@ -92,6 +94,12 @@ TEST_F(Stage04Stats, NameTheMethod) {
     const json stats = this->stats("04_refraction_beer", {"--method", "interior=paper"});
     EXPECT_EQ(stats.at("methods"), json({{"interior", "paper"}}));
     expect_part(stats.at("build").at("options"), "-D METHOD_INTERIOR_PAPER=1");
+}
+
+TEST_F(Stage08Stats, NameTheCurves) {
+    const json stats = this->stats("08_gamma", {"--method", "encode=2.2"});
+    EXPECT_EQ(stats.at("methods"),
+              json({{"interior", "full"}, {"decode", "srgb"}, {"encode", "2.2"}}));
 }
 
 }  // namespace

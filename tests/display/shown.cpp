@@ -46,12 +46,8 @@ Steps framebuffer(const glm::ivec2 &framebuffer_size, const glm::ivec2 &corner, 
 }
 
 Steps png(const Image &image, Transfer transfer) {
-    Image encoded = image;
-    for (glm::vec3 &pixel : encoded.pixels) {
-        pixel = {encode(transfer, pixel.r), encode(transfer, pixel.g), encode(transfer, pixel.b)};
-    }
     const TemporaryFolder folder;
-    write_image(encoded, folder.path() / "picture.png");
+    write_image(image, folder.path() / "picture.png", transfer);
     const cli::PictureFile file = cli::read_picture_file(folder.path() / "picture.png");
     Steps steps{file.width, {}};
     for (std::size_t i = 0; i < file.values.size(); i += 3) {

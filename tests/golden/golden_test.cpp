@@ -95,16 +95,29 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenPicture, testing::ValuesIn(all_scenes()),
                          [](const auto &instance) { return name_of(instance.param); });
 
+// A scene by a method that is not the default.
+void expect_method_matches(const GoldenScene &scene, const Methods &methods) {
+    SCOPED_TRACE(scene.name);
+    const reference::Result truth = draw_reference(scene, methods);
+    for (const std::string &device : devices) {
+        expect_match(draw_device(scene, device, methods), truth.image, truth.edge,
+                     tolerance_of(scene.name, device));
+    }
+}
+
 // The paper's single pass through a sphere, wherever there is glass.
 TEST(InteriorPaper, Stage04DeviceMatchesReference) {
     for (const GoldenScene &scene : scenes_of("04")) {
-        SCOPED_TRACE(scene.name);
-        const reference::Result truth = draw_reference(scene, reference::Interior::paper);
-        for (const std::string &device : devices) {
-            expect_match(draw_device(scene, device, "paper"), truth.image, truth.edge,
-                         tolerance_of(scene.name, device));
-        }
+        expect_method_matches(scene, {{"interior", "paper"}});
     }
+}
+
+// The paper's power for textures, where they fill the picture.
+TEST(DecodePower, Stage08DeviceMatchesReference) {
+    const std::vector<GoldenScene> scenes = scenes_of("08");
+    const auto scene = std::ranges::find(scenes, "08_decode", &GoldenScene::name);
+    ASSERT_NE(scene, scenes.end());
+    expect_method_matches(*scene, {{"decode", "2.2"}});
 }
 
 }  // namespace

@@ -26,7 +26,19 @@ bool is_stage_scene(const std::filesystem::path &file) {
 }
 
 std::string stage_of(const std::string &scene) {
-    return std::string(stage_names[static_cast<std::size_t>(stage_number(scene) - 1)]);
+    return std::string(stage_name(stage_number(scene)));
+}
+
+reference::Settings settings_of(const GoldenScene &golden, const Scene &scene,
+                                const Methods &methods) {
+    const auto interior = methods.find("interior");
+    return {.width = width,
+            .height = height,
+            .max_depth = scene.max_depth,
+            .interior = interior != methods.end() && interior->second == "paper"
+                            ? reference::Interior::paper
+                            : reference::Interior::full,
+            .decode = decode_of(stage_number(golden.stage), methods)};
 }
 
 }  // namespace
@@ -61,10 +73,9 @@ std::vector<GoldenScene> scenes_of(const std::string &stage) {
     return scenes;
 }
 
-reference::Result draw_reference(const GoldenScene &golden, reference::Interior interior) {
+reference::Result draw_reference(const GoldenScene &golden, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
-    const reference::Settings settings{width, height, scene.max_depth, interior};
-    return reference::render<double>(scene, settings,
+    return reference::render<double>(scene, settings_of(golden, scene, methods),
                                      stage_number(golden.stage) == 1
                                          ? reference::Shown::normals_and_distances
                                          : reference::Shown::light);
@@ -73,19 +84,17 @@ reference::Result draw_reference(const GoldenScene &golden, reference::Interior 
 std::vector<std::vector<glm::vec3>>
 draw_around(const GoldenScene &golden, const std::vector<glm::ivec2> &pixels, double reach) {
     const Scene scene = load_scene(golden.scene);
-    const reference::Settings settings{width, height, scene.max_depth, reference::Interior::full};
-    return reference::colors_around(scene, settings, pixels, reach);
+    return reference::colors_around(scene, settings_of(golden, scene, {}), pixels, reach);
 }
 
-Image draw_device(const GoldenScene &golden, const std::string &device,
-                  const std::string &interior) {
+Image draw_device(const GoldenScene &golden, const std::string &device, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
     require_learnt(scene, stage_number(golden.stage));
     RenderSettings settings;
     settings.width = width;
     settings.height = height;
     settings.max_depth = scene.max_depth;
-    choose_method(settings.methods, "interior=" + interior);
+    settings.methods = methods;
     return Renderer(choose_device(device), golden.stage, scene, settings).render().image;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "device/methods.h"
 #include "image/compare.h"
 #include "image/image.h"
 #include "image/image_io.h"
@@ -36,17 +37,15 @@ std::vector<GoldenScene> all_scenes();
 // of stages for any other.
 std::vector<GoldenScene> scenes_of(const std::string &stage);
 
-// The picture as the double-precision reference draws it.
-reference::Result draw_reference(const GoldenScene &scene,
-                                 reference::Interior interior = reference::Interior::full);
+// The picture as the double-precision reference draws it, by the chosen methods.
+reference::Result draw_reference(const GoldenScene &scene, const Methods &methods = {});
 
 // What the reference sees around the centres of `pixels` (reference::colors_around).
 std::vector<std::vector<glm::vec3>>
 draw_around(const GoldenScene &scene, const std::vector<glm::ivec2> &pixels, double reach);
 
 // The picture as the stage's kernel draws it on the device that `device` stands for (--device).
-Image draw_device(const GoldenScene &scene, const std::string &device,
-                  const std::string &interior = "full");
+Image draw_device(const GoldenScene &scene, const std::string &device, const Methods &methods = {});
 
 // What golden/tolerances.toml allows the scene on that device. Throws UserError for a file that
 // does not say.

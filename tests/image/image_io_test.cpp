@@ -9,6 +9,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "exact_curves.h"
 #include "image/fixture.h"
 
 namespace stagelight {
@@ -44,8 +45,8 @@ Image row(const std::vector<float> &values) {
 class ImageIo : public InFolder {
 protected:
     // What a grey pixel of each value becomes in a PNG.
-    std::vector<int> bytes_of(const std::vector<float> &values) {
-        write_image(row(values), folder / "a.png");
+    std::vector<int> bytes_of(const std::vector<float> &values, Transfer encode = Transfer::none) {
+        write_image(row(values), folder / "a.png", encode);
         OIIO::ImageSpec spec;
         const auto read = read_as<unsigned char>(OIIO::TypeDesc::UINT8, folder / "a.png", spec);
         std::vector<int> bytes;
@@ -80,8 +81,28 @@ TEST_F(ImageIo, PngRoundsToTheNearestStep) {
 }
 
 TEST_F(ImageIo, PngClampsAndMakesNanBlack) {
-    EXPECT_EQ(bytes_of({-0.0F, -1e-9F, -2, -infinity, 1.0001F, 300, 1e38F, infinity, nan, -nan}),
-              (std::vector<int>{0, 0, 0, 0, 255, 255, 255, 255, 0, 0}));
+    for (const Transfer encode : {Transfer::none, Transfer::srgb, Transfer::power}) {
+        EXPECT_EQ(bytes_of({-0.0F, -1e-9F, -2, -infinity, 1.0001F, 300, 1e38F, infinity, nan, -nan},
+                           encode),
+                  (std::vector<int>{0, 0, 0, 0, 255, 255, 255, 255, 0, 0}));
+    }
+}
+
+// Light a little to either side of the middle between two codes becomes the nearer of them.
+TEST_F(ImageIo, Stage08PngIsEncodedOnceAndRoundedToTheNearestCode) {
+    for (const Transfer encode : {Transfer::srgb, Transfer::power}) {
+        const auto light = [encode](double code) {
+            return float(encode == Transfer::srgb ? exact::srgb_decode(code / 255)
+                                                  : exact::power_decode(code / 255));
+        };
+        std::vector<float> values;
+        std::vector<int> expected;
+        for (int i = 0; i < 255; ++i) {
+            values.insert(values.end(), {light(i), light(i + 0.499), light(i + 0.501)});
+            expected.insert(expected.end(), {i, i, i + 1});
+        }
+        EXPECT_EQ(bytes_of(values, encode), expected);
+    }
 }
 
 TEST_F(ImageIo, PngKeepsRowsColumnsAndChannelsApart) {
@@ -93,7 +114,7 @@ TEST_F(ImageIo, PngKeepsRowsColumnsAndChannelsApart) {
             expected.push_back(static_cast<unsigned char>(10 * i + c));
         }
     }
-    write_image(image, folder / "a.PNG");
+    write_image(image, folder / "a.PNG", Transfer::none);
     OIIO::ImageSpec spec;
     EXPECT_EQ(read_as<unsigned char>(OIIO::TypeDesc::UINT8, folder / "a.PNG", spec), expected);
     EXPECT_EQ(spec.width, 3);
@@ -103,10 +124,40 @@ TEST_F(ImageIo, PngKeepsRowsColumnsAndChannelsApart) {
 
 // A viewer that found one would change the values that were written.
 TEST_F(ImageIo, PngNamesNoGammaColourSpaceOrTime) {
-    write_image(row({0, 0.5F, 1}), folder / "a.png");
+    write_image(row({0, 0.5F, 1}), folder / "a.png", Transfer::none);
     const std::string bytes = read_bytes(folder / "a.png");
     for (const char *chunk : {"gAMA", "sRGB", "cHRM", "iCCP", "tIME", "tEXt"}) {
         EXPECT_EQ(bytes.find(chunk), std::string::npos) << "expected no chunk " << chunk;
+    }
+}
+
+// The first four bytes of a chunk, the most significant first.
+std::uint32_t number_in_chunk(const std::string &file, const char *chunk) {
+    std::uint32_t number = 0;
+    for (std::size_t i = file.find(chunk) + 4, end = i + 4; i < end; ++i) {
+        number = number << 8 | static_cast<unsigned char>(file.at(i));
+    }
+    return number;
+}
+
+// PNG specification: gAMA has 100000 times the exponent; with sRGB, 45455 stands for it.
+TEST_F(ImageIo, Stage08PngNamesItsCurve) {
+    write_image(row({0, 0.5F, 1}), folder / "a.png", Transfer::srgb);
+    const std::string srgb = read_bytes(folder / "a.png");
+    EXPECT_NE(srgb.find("sRGB"), std::string::npos);
+    EXPECT_EQ(number_in_chunk(srgb, "gAMA"), 45455U);
+    write_image(row({0, 0.5F, 1}), folder / "a.png", Transfer::power);
+    const std::string power = read_bytes(folder / "a.png");
+    EXPECT_EQ(power.find("sRGB"), std::string::npos);
+    EXPECT_NEAR(number_in_chunk(power, "gAMA"), 100000 / 2.2, 1);
+}
+
+TEST_F(ImageIo, Stage08ExrStaysLinear) {
+    for (const Transfer encode : {Transfer::none, Transfer::srgb, Transfer::power}) {
+        write_image(row({0.5F, -1, 3}), folder / "a.exr", encode);
+        OIIO::ImageSpec spec;
+        const auto values = read_as<float>(OIIO::TypeDesc::FLOAT, folder / "a.exr", spec);
+        EXPECT_EQ(values, (std::vector<float>{0.5F, 0.5F, 0.5F, -1, -1, -1, 3, 3, 3}));
     }
 }
 
@@ -133,7 +184,7 @@ TEST_F(ImageIo, ExrKeepsEveryBit) {
             expected.push_back(std::bit_cast<std::uint32_t>(value));
         }
     }
-    write_image(image, folder / "a.exr");
+    write_image(image, folder / "a.exr", Transfer::none);
     OIIO::ImageSpec spec;
     std::vector<std::uint32_t> bits;
     for (const float value : read_as<float>(OIIO::TypeDesc::FLOAT, folder / "a.exr", spec)) {
@@ -147,8 +198,8 @@ TEST_F(ImageIo, ExrKeepsEveryBit) {
 TEST_F(ImageIo, TheSamePictureIsTheSameFile) {
     for (const std::string extension : {".png", ".exr"}) {
         const Path a = folder / ("a" + extension), b = folder / ("b" + extension);
-        write_image(row({0, 0.5F, 1}), a);
-        write_image(row({0, 0.5F, 1}), b);
+        write_image(row({0, 0.5F, 1}), a, Transfer::none);
+        write_image(row({0, 0.5F, 1}), b, Transfer::none);
         EXPECT_EQ(read_bytes(a), read_bytes(b)) << extension;
         EXPECT_EQ(read_bytes(a).find(":2"), std::string::npos) << "expected no date";
     }
@@ -160,8 +211,10 @@ TEST_F(ImageIo, TheSamePictureIsTheSameFile) {
 TEST_F(ImageIo, ThreadsWriteBesideEachOther) {
     std::vector<std::thread> threads;
     for (int i = 0; i < 8; ++i) {
-        threads.emplace_back(
-            [&, i] { write_image(row({float(i) / 255}), folder / (std::to_string(i) + ".png")); });
+        threads.emplace_back([&, i] {
+            write_image(row({float(i) / 255}), folder / (std::to_string(i) + ".png"),
+                        Transfer::none);
+        });
     }
     for (std::thread &thread : threads) {
         thread.join();
@@ -174,7 +227,7 @@ TEST_F(ImageIo, OnlyPngAndExr) {
         const Path file = folder / name;
         const std::string expected = file.string() + ": expected a name that ends in .png or .exr";
         expect_user_error([&] { require_writable(file); }, expected);
-        expect_user_error([&] { write_image(Image(1, 1), file); }, expected);
+        expect_user_error([&] { write_image(Image(1, 1), file, Transfer::none); }, expected);
     }
     expect_user_error([&] { require_writable(folder / ""); }, "expected a name that ends");
     EXPECT_EQ(files(), 0) << "a file was left behind";

@@ -76,7 +76,7 @@ TEST_F(WholeFile, FullDiskLeavesTheOldPictureAndNothingElse) {
             write_bytes(file, "the old picture");
             {
                 const FullDisk full(limit);
-                expect_user_error([&] { write_image(noise(), file); },
+                expect_user_error([&] { write_image(noise(), file, Transfer::none); },
                                   file.string() + ": cannot be written: File too large");
             }
             EXPECT_EQ(read_bytes(file), "the old picture") << "with room for " << limit;
@@ -89,7 +89,8 @@ TEST_F(WholeFile, FullDiskLeavesTheOldPictureAndNothingElse) {
 TEST_F(WholeFile, FullDiskStopsASmallPicture) {
     for (const char *name : {"a.png", "a.exr"}) {
         const FullDisk full(10);
-        expect_user_error([&] { write_image(Image(2, 2), folder / name); }, "File too large");
+        expect_user_error([&] { write_image(Image(2, 2), folder / name, Transfer::none); },
+                          "File too large");
     }
     EXPECT_EQ(files(), 0) << "a file was left behind";
 }
@@ -122,7 +123,7 @@ TEST_F(WholeFile, TheCurrentFolderNeedsNoName) {
     const Path before = fs::current_path();
     fs::current_path(folder);
     EXPECT_NO_THROW(require_writable("a.png"));
-    EXPECT_NO_THROW(write_image(Image(1, 1), "a.png"));
+    EXPECT_NO_THROW(write_image(Image(1, 1), "a.png", Transfer::none));
     fs::current_path(before);
     EXPECT_TRUE(fs::exists(folder / "a.png"));
 }
@@ -131,14 +132,15 @@ TEST_F(WholeFile, FolderThatIsNotThere) {
     const Path file = folder / "none" / "a.png";
     expect_user_error([&] { require_writable(file); },
                       "none does not exist; expected a folder that exists");
-    expect_user_error([&] { write_image(Image(1, 1), file); }, "No such file or directory");
+    expect_user_error([&] { write_image(Image(1, 1), file, Transfer::none); },
+                      "No such file or directory");
 }
 
 TEST_F(WholeFile, FolderThatIsAFile) {
     write_bytes(folder / "file", "");
     const Path file = folder / "file" / "a.png";
     expect_user_error([&] { require_writable(file); }, "file is not a folder");
-    expect_user_error([&] { write_image(Image(1, 1), file); }, "Not a directory");
+    expect_user_error([&] { write_image(Image(1, 1), file, Transfer::none); }, "Not a directory");
 }
 
 TEST_F(WholeFile, FolderThatTakesNoFiles) {
@@ -148,7 +150,7 @@ TEST_F(WholeFile, FolderThatTakesNoFiles) {
         ASSERT_FALSE(nobody.failed()) << "could not give up being root";
         expect_user_error([&] { require_writable(folder / "a.png"); },
                           folder.string() + " cannot be written to: Permission denied");
-        expect_user_error([&] { write_image(Image(1, 1), folder / "a.png"); },
+        expect_user_error([&] { write_image(Image(1, 1), folder / "a.png", Transfer::none); },
                           "cannot be written: Permission denied");
     }
     fs::permissions(folder, fs::perms(0755));
@@ -164,7 +166,7 @@ TEST_F(WholeFile, OldFileThatMayNotBeReplaced) {
     {
         const NotRoot nobody;
         ASSERT_FALSE(nobody.failed()) << "could not give up being root";
-        expect_user_error([&] { write_image(Image(1, 1), folder / "a.png"); },
+        expect_user_error([&] { write_image(Image(1, 1), folder / "a.png", Transfer::none); },
                           "cannot be written: Operation not permitted");
     }
     EXPECT_EQ(read_bytes(folder / "a.png"), "the old picture");
@@ -192,19 +194,20 @@ TEST_F(WholeFile, FolderWhereEvenRootCannotWrite) {
 TEST_F(WholeFile, TargetThatIsNoRegularFile) {
     fs::create_directory(folder / "folder.png");
     expect_user_error([&] { require_writable(folder / "folder.png"); }, "found a folder");
-    expect_user_error([&] { write_image(Image(1, 1), folder / "folder.png"); }, "found a folder");
+    expect_user_error([&] { write_image(Image(1, 1), folder / "folder.png", Transfer::none); },
+                      "found a folder");
 
     write_bytes(folder / "real.png", "old");
     fs::create_symlink("real.png", folder / "link.png");
     expect_user_error([&] { require_writable(folder / "link.png"); }, "found a symbolic link");
-    expect_user_error([&] { write_image(Image(1, 1), folder / "link.png"); },
+    expect_user_error([&] { write_image(Image(1, 1), folder / "link.png", Transfer::none); },
                       "found a symbolic link");
     EXPECT_TRUE(fs::is_symlink(folder / "link.png")) << "the link was replaced";
     EXPECT_EQ(read_bytes(folder / "real.png"), "old");
 
     ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
     expect_user_error([&] { require_writable(folder / "pipe.png"); }, "found a special file");
-    expect_user_error([&] { write_image(Image(1, 1), folder / "pipe.png"); },
+    expect_user_error([&] { write_image(Image(1, 1), folder / "pipe.png", Transfer::none); },
                       "found a special file");
 }
 

@@ -26,7 +26,7 @@ namespace stagelight {
 class DeviceProgram {
 public:
     DeviceProgram(const cl::Device &device, const std::string &file, const SceneNeeds &needs,
-                  const Methods &methods);
+                  const Methods &methods, Transfer decode = Transfer::none);
 
     template <typename Result, typename... Input>
     std::vector<Result> run(const char *kernel, const std::vector<Input> &...inputs) {
@@ -37,7 +37,7 @@ public:
     std::vector<Result> run_in(const Scene &scene, const char *name,
                                const std::vector<Input> &...inputs) {
         cl::Kernel kernel(program_, name);
-        const DeviceScene on_device(context_, device_, kernel, scene);
+        const DeviceScene on_device(context_, device_, kernel, scene, decode_);
         return launch<Result>(kernel, inputs...);
     }
 
@@ -75,14 +75,15 @@ private:
     cl::Context context_;
     cl::CommandQueue queue_;
     cl::Program program_;
+    Transfer decode_;
 };
 
 // A test that runs on each device, by its platform's name.
 class OnDevice : public testing::TestWithParam<const char *> {
 protected:
     static DeviceProgram build(const std::string &file, const SceneNeeds &needs = {},
-                               const Methods &methods = {}) {
-        return {device(), file, needs, methods};
+                               const Methods &methods = {}, Transfer decode = Transfer::none) {
+        return {device(), file, needs, methods, decode};
     }
     static cl::Device device() { return choose_device(GetParam()); }
     static bool on_rusticl() { return GetParam() == std::string("llvmpipe"); }

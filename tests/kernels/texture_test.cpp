@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/on_device.h"
+#include "kernels/pictures.h"
 #include "kernels/worst.h"
 #include "reference/scenes.h"
 
@@ -70,78 +71,13 @@ TEST_P(KernelsStage06Coordinates, PolesAndSeamAreWhereTheyBelong) {
 using KernelsStage06Texture = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage06Texture, each_device(), device_name);
 
-// Pictures of many sizes, each worn by a material of its index; the last material has none.
-// `texel` makes four bytes of the picture, column and row.
-template <typename Texel> Scene scene_of_pictures(Texel texel) {
-    constexpr std::pair<int, int> sizes[]{{1, 1},  {2, 3},   {7, 5}, {64, 32},
-                                          {5, 64}, {16, 16}, {3, 1}};
-    Scene scene;
-    for (const auto &[width, height] : sizes) {
-        const auto picture = int(scene.textures.size());
-        std::vector<std::uint8_t> texels;
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const std::array<int, 3> rgb = texel(picture, x, y);
-                texels.insert(texels.end(), rgb.begin(), rgb.end());
-                texels.push_back(255);
-            }
-        }
-        scene.textures.push_back(reference::texture_of(width, height, texels));
-        scene.materials.push_back({.texture = picture, .where = {}});
-    }
-    scene.materials.push_back({.where = {}});
-    return scene;
-}
-
-SceneNeeds needs_of_pictures(const Scene &scene) {
-    return {{"MATERIAL_COUNT", int(scene.materials.size())}, {"HAS_TEXTURES", 1}};
-}
-
-// Places in and far outside of each picture, on its border, at its texels' centres.
-std::vector<vec4> places(const Scene &scene) {
-    Dice dice;
-    std::vector<vec4> result;
-    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
-        const Texture &texture = scene.textures[i];
-        const auto add = [&](double u, double v) { result.emplace_back(u, v, i, 0); };
-        for (const double u : {0.0, 1.0, -0.0, 1 - 1e-7, -1e-9, -1e-3, 2.0, -3.0, 1e5 + 0.25}) {
-            add(u, dice.between(0, 1));
-            add(dice.between(0, 1), u);
-            add(u, u);
-        }
-        for (int k = 0; k < 512; ++k) {
-            add(dice.between(0, 1), dice.between(0, 1));
-            add(dice.between(-9, 9), dice.between(-9, 9));
-            // Across the border, and on a texel's centre.
-            add(dice.between(-0.5, 0.5) / texture.width, dice.between(-0.5, 0.5) / texture.height);
-            add((std::floor(dice.between(0, texture.width)) + 0.5) / texture.width,
-                (std::floor(dice.between(0, texture.height)) + 0.5) / texture.height);
-        }
-    }
-    return result;
-}
-
-void expect_colors(DeviceProgram program, const Scene &scene, double rounding_per_texel,
-                   double rounding) {
-    const std::vector<vec4> at = places(scene);
-    const auto colors = program.run_in<vec4>(scene, "colors", at);
-    Worst color("colour");
-    for (std::size_t i = 0; i < colors.size(); ++i) {
-        const Texture &texture = scene.textures[std::size_t(at[i].z)];
-        const auto truth = reference::sample_texture(texture, glm::dvec2(at[i].x, at[i].y));
-        const double size = 1 + std::max(texture.width, texture.height);
-        color.compare(i, dvec3(colors[i]), truth, rounding_per_texel * size + rounding);
-    }
-    color.expect(14000);
-}
-
 // One colour a picture: whatever is filtered, a neighbour's colour, or the black beside a small
 // picture in its layer, would show. PoCL 3.1 reads the wrong layer with normalised coordinates.
 TEST_P(KernelsStage06Texture, EveryLayerHasItsOwnColor) {
     const Scene scene = scene_of_pictures([](int picture, int, int) {
         return std::array{10 + 30 * picture, 200 - 20 * picture, picture % 2 == 0 ? 50 : 150};
     });
-    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, 0, 4 * ulp);
+    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, Transfer::none, 0, 4 * ulp);
 }
 
 // All texels at random: the place is rounded in proportion to the size, and a step from one
@@ -154,7 +90,7 @@ TEST_P(KernelsStage06Texture, TheFilterBlendsFourTexelsAcrossTheWrapToo) {
         return std::array{int(dice.between(0, 256 - 1e-6)), int(dice.between(0, 256 - 1e-6)),
                           int(dice.between(0, 256 - 1e-6))};
     });
-    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, 4 * ulp,
+    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, Transfer::none, 4 * ulp,
                   on_rusticl() ? 2.0 / 256 + 0.5 / 255 : 4 * ulp);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/textures.h"
 
+#include "exact_curves.h"
 #include "scenes.h"
 
 namespace stagelight::reference {
@@ -17,7 +18,7 @@ Texture numbered(int width, int height) {
 }
 
 double red(const Texture &texture, dvec2 uv) {
-    return sample_texture(texture, uv).x * 255;
+    return sample_texture(texture, Transfer::none, uv).x * 255;
 }
 
 // 4 by 2: the centre of texel (i, j) lies at ((i + ½) / 4, (j + ½) / 2).
@@ -26,7 +27,7 @@ TEST(ReferenceStage06Texture, ShowsEachTexelAtItsCentre) {
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 4; ++i)
             EXPECT_NEAR(red(texture, {(i + 0.5) / 4, (j + 0.5) / 2}), 4 * j + i, 1e-12);
-    expect_near(sample_texture(texture, dvec2(0.125, 0.25)), {0, 0, 1}, 1e-15);
+    expect_near(sample_texture(texture, Transfer::none, dvec2(0.125, 0.25)), {0, 0, 1}, 1e-15);
 }
 
 // 4 by 4. A quarter of the way from texel 5 to texel 6 to the right, and three quarters down:
@@ -115,6 +116,54 @@ TEST(ReferenceStage06Meshes, CoordinatesAreBlended) {
     EXPECT_NEAR(seen(scene, ray({0.375, 0.125, 1}, {0, 0, -1})).x * 255, 1, 1e-12);
     EXPECT_NEAR(seen(scene, ray({0.125, 0.625, 1}, {0, 0, -1})).x * 255, 8, 1e-12);
     EXPECT_NEAR(seen(scene, ray({0.25, 0.25, 1}, {0, 0, -1})).x * 255, (0 + 1 + 4 + 5) / 4.0,
+                1e-12);
+}
+
+// A quarter, half and three quarters of the way, worked out in decimal to 30 digits; and the ends.
+TEST(ReferenceStage08Decode, FollowsItsCurve) {
+    EXPECT_NEAR(light_of(Transfer::srgb, 0.25), 0.050876088172, 1e-12);
+    EXPECT_NEAR(light_of(Transfer::srgb, 0.5), 0.214041140482, 1e-12);
+    EXPECT_NEAR(light_of(Transfer::srgb, 0.75), 0.522521553968, 1e-12);
+    EXPECT_NEAR(light_of(Transfer::srgb, 0.04), 0.04 / 12.92, 1e-15) << "below the corner";
+    EXPECT_NEAR(light_of(Transfer::power, 0.5), 0.217637640824, 1e-12);
+    EXPECT_EQ(light_of(Transfer::none, 0.3), 0.3);
+    for (const Transfer curve : {Transfer::none, Transfer::srgb, Transfer::power}) {
+        EXPECT_EQ(light_of(curve, 0.0), 0);
+        EXPECT_NEAR(light_of(curve, 1.0), 1, 1e-15);
+    }
+}
+
+TEST(ReferenceStage08Decode, IsUndoneByEncoding) {
+    for (int code = 0; code < 256; ++code) {
+        const double value = code / 255.0;
+        EXPECT_NEAR(exact::srgb_encode(light_of(Transfer::srgb, value)), value, 1e-15);
+        EXPECT_NEAR(exact::power_encode(light_of(Transfer::power, value)), value, 1e-15);
+    }
+}
+
+// Half-way between black and white is half the light, which no texel's code of 128 is.
+TEST(ReferenceStage08Decode, ComesBeforeTheFilter) {
+    const Texture texture = texture_of(2, 1, {0, 0, 0, 255, 255, 255, 255, 255});
+    for (const Transfer decode : {Transfer::srgb, Transfer::power}) {
+        expect_near(sample_texture(texture, decode, dvec2(0.5, 0.5)), dvec3(0.5), 1e-15);
+    }
+}
+
+TEST(ReferenceStage08Decode, IsOfEachChannelAndAsTheSettingsSay) {
+    Scene scene;
+    scene.textures.push_back(texture_of(1, 1, {255, 128, 10, 77}));
+    Material material = diffuse({1, 1, 1});
+    material.texture = 0;
+    add_sphere(scene, {0, 0, 0}, 1, material);
+    add_directional_light(scene, {0, 0, -1}, {1, 1, 1}, 1);
+    const auto shown = [&](Transfer decode) {
+        return seen(scene, ray({0, 0, 3}, {0, 0, -1}), Settings{.decode = decode});
+    };
+    const double half = 128 / 255.0, dark = 10 / 255.0;
+    expect_near(shown(Transfer::none), {1, half, dark}, 1e-12);
+    expect_near(shown(Transfer::srgb), {1, exact::srgb_decode(half), exact::srgb_decode(dark)},
+                1e-12);
+    expect_near(shown(Transfer::power), {1, exact::power_decode(half), exact::power_decode(dark)},
                 1e-12);
 }
 
