@@ -65,7 +65,7 @@ Bytes encode_exr(OIIO::ImageSpec spec, const void *floats) {
     return file_of("openexr", spec, TypeDesc::FLOAT, floats);
 }
 
-// How the file says what its values are (PNG specification, sections 11.3.2.1 and 11.3.2.5): the
+// How the file says what its values are (PNG, third edition, 11.3.2.2 and 11.3.2.5): the
 // chunk sRGB, with the gAMA and cHRM that old readers know, or gAMA alone.
 void name_curve(OIIO::ImageSpec &spec, Transfer curve) {
     if (curve == Transfer::srgb) {
