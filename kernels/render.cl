@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 03: the kernel, one work-item a pixel.
 #include "camera.cl"
+#include "picture.cl"
 #include "ray_counts.cl"
 #include "trace.cl"
 
 // #region render
-__kernel void render(__global float4 *image, __global RayCounts *ray_counts, const Camera camera,
+__kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
                      SCENE_PARAMETERS) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
@@ -15,7 +16,7 @@ __kernel void render(__global float4 *image, __global RayCounts *ray_counts, con
     RayCounts counts = {0, 0, 0, 0};
     const Ray primary = camera_ray(&camera, pixel);
     const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
-    image[pixel.y * camera.size.x + pixel.x] = (float4)(color, 1.0f);
+    write_pixel(image, camera.size.x, pixel, color);
     add_ray_counts(&ray_counts[pixel.y], counts);
 }
 // #endregion render

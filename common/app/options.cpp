@@ -15,6 +15,7 @@ namespace {
 constexpr int most_samples = 65536;
 constexpr int most_depth = 64;
 constexpr int most_frames = 1000000;
+constexpr double most_scale = 64;
 
 std::pair<int, int> parse_size(const std::string &text) {
     int width = 0;
@@ -40,6 +41,18 @@ std::string method_help(int stage) {
     return help;
 }
 
+// Stage 07 is about the window, and opens one unless a picture file is asked for.
+Display display_of(const std::string &stage, const std::string &name, const Options &options) {
+    if (options.window && name == "none") {
+        throw UserError("--window and --display none: expected one of them");
+    }
+    if (name == "none"
+        || (name.empty() && !options.window && (stage != "07_interop" || options.out))) {
+        return Display::none;
+    }
+    return name == "copy" ? Display::copy : Display::shared;
+}
+
 }  // namespace
 
 std::filesystem::path default_out(const std::string &stage) {
@@ -49,7 +62,8 @@ std::filesystem::path default_out(const std::string &stage) {
 std::optional<Options> parse_options(const std::string &stage, int argc, const char *const *argv) {
     Options options;
     options.scene = std::filesystem::path(STAGELIGHT_SCENES) / (stage + ".toml");
-    options.out = default_out(stage);
+    std::string display;
+    std::string texture = "rgba32f";
     std::string size;
     std::vector<std::string> methods;
 
@@ -57,8 +71,10 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("scene", options.scene, "a scene in TOML")->capture_default_str();
     const CLI::Option *size_option =
         app.add_option("--size", size, "WIDTHxHEIGHT in pixels (default: the scene's)");
-    app.add_option("--out", options.out, "picture to write, .png or .exr (linear float)")
-        ->capture_default_str();
+    app.add_option("--out", options.out,
+                   "picture to write, .png or .exr (linear float); with a window, its last one "
+                   "(default: "
+                       + default_out(stage).string() + ", where there is no window)");
     app.add_option("--samples", options.samples, "rays through each pixel")
         ->check(CLI::Range(1, most_samples))
         ->capture_default_str();
@@ -67,9 +83,27 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("--device", options.device,
                    "index, name part, cpu or gpu (default: STAGELIGHT_DEVICE, else the first GPU, "
                    "else the first device)");
-    app.add_option("--frames", options.frames, "render the picture this often, for --stats")
-        ->check(CLI::Range(1, most_frames))
+    app.add_option("--frames", options.frames,
+                   "render the picture this often, for --stats (default: once, and in a window "
+                   "whenever something changes)")
+        ->check(CLI::Range(1, most_frames));
+    app.add_flag("--window", options.window,
+                 "open a window: F1 shows its keys (else --display none, but for 07_interop)");
+    app.add_option("--display", display,
+                   "the rung of the ladder to begin at; one that does not hold gives way to the "
+                   "next (--window: auto, which is shared)")
+        ->check(CLI::IsMember(std::vector<std::string>{"auto", "shared", "copy", "none"}));
+    app.add_option("--texture", texture, "what the window's texture holds")
+        ->check(CLI::IsMember(std::vector<std::string>{"rgba16f", "rgba32f"}))
         ->capture_default_str();
+    app.add_option("--scale", options.scale,
+                   "the window's pixels for one of the picture's, each way")
+        ->check(CLI::Range(1.0, most_scale))
+        ->capture_default_str();
+    if (stage_number(stage) >= gamma_stage) {
+        app.add_flag("--split", options.split,
+                     "left as it is meant, right without gamma: nothing decoded, nothing encoded");
+    }
     app.add_option("--method", methods,
                    "KIND=NAME, the first of a kind is the default:"
                        + method_help(stage_number(stage)))
@@ -86,6 +120,12 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
         return std::nullopt;
     } catch (const CLI::ParseError &error) {
         throw UserError(fmt::format("{} (--help lists the options)", error.what()));
+    }
+    options.display = display_of(stage, display, options);
+    options.texture_format = texture == "rgba16f" ? TextureFormat::rgba16f : TextureFormat::rgba32f;
+    if (options.split && options.out && options.out->extension() != ".png") {
+        throw UserError(fmt::format("--split --out {}: expected a .png, the eye's; EXR is linear",
+                                    options.out->string()));
     }
     if (size_option->count() > 0) {
         options.size = parse_size(size);

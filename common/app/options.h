@@ -8,17 +8,26 @@
 #include <utility>
 
 #include "device/methods.h"
+#include "display/float_texture.h"
 
 namespace stagelight {
 
+// The rung of the display ladder to begin at; a rung that does not hold gives way to the next.
+enum class Display { shared, copy, none };
+
 struct Options {
     std::filesystem::path scene;
-    std::optional<std::pair<int, int>> size;  // pixels; else the scene's
-    std::filesystem::path out;
+    std::optional<std::pair<int, int>> size;   // pixels; else the scene's
+    std::optional<std::filesystem::path> out;  // else default_out, when there is no window
     int samples = 1;
     std::optional<int> depth;  // bounces; else the scene's
     std::string device;
-    int frames = 1;
+    std::optional<int> frames;  // else one picture, and a window until it is closed
+    bool window = false;        // one is demanded
+    Display display = Display::none;
+    TextureFormat texture_format = TextureFormat::rgba32f;
+    bool split = false;  // figure 4 of the paper
+    double scale = 1;    // the window's pixels for one of the picture's, each way
     Methods methods;
     std::optional<std::filesystem::path> kernels;
     std::optional<std::filesystem::path> stats;

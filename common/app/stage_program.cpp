@@ -5,6 +5,7 @@
 
 #include "app/options.h"
 #include "app/run_main.h"
+#include "app/show.h"
 #include "app/stats.h"
 #include "device/device_choice.h"
 #include "device/renderer.h"
@@ -17,12 +18,12 @@
 namespace stagelight {
 namespace {
 
-void require_outputs(const Options &options, const std::string &stage) {
-    if (options.out == default_out(stage)) {
+void require_outputs(const std::filesystem::path &out, const Options &options) {
+    if (!options.out) {
         std::error_code ignored;  // what is wrong with the folder is told by require_writable
-        std::filesystem::create_directories(options.out.parent_path(), ignored);
+        std::filesystem::create_directories(out.parent_path(), ignored);
     }
-    require_writable(options.out);
+    require_writable(out);
     if (options.stats) {
         require_writable_place(*options.stats);
     }
@@ -36,46 +37,47 @@ RenderSettings settings_of(const Options &options, const Scene &scene) {
     settings.samples = options.samples;
     settings.methods = options.methods;
     settings.kernels = options.kernels;
+    settings.split = options.split;
     return settings;
 }
 
-void report(const Renderer &renderer, const RenderSettings &settings, double milliseconds,
-            const RayTotals &rays, const std::filesystem::path &out) {
-    const double total =
-        static_cast<double>(rays.primary + rays.shadow + rays.reflection + rays.refraction);
-    fmt::print("{}\n", renderer.device().getInfo<CL_DEVICE_NAME>());
-    fmt::print("{}x{}: {:.1f} ms, {:.2f} million rays/s (kernel built in {:.0f} ms)\n",
-               settings.width, settings.height, milliseconds, total / milliseconds / 1000,
-               renderer.build_milliseconds());
-    if (rays.dropped > 0) {
-        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", rays.dropped,
-                   settings.max_depth);
+int draw(const std::string &stage, const Options &options, const Scene &scene,
+         const RenderSettings &settings, const std::string &reason) {
+    const std::filesystem::path out = options.out.value_or(default_out(stage));
+    const cl::Device device = choose_device(options.device);
+    require_outputs(out, options);
+
+    Renderer renderer(device, stage, scene, settings);
+    RunFigures figures;
+    figures.display.reason = reason;
+    Frame frame;
+    for (int i = 0; i < options.frames.value_or(1); ++i) {
+        frame = renderer.render();
+        figures.frames.push_back(frame.milliseconds);
     }
+    figures.rays = frame.rays;
+    figures.bytes_on_device = renderer.bytes();
+
+    write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
+    report(stage, device, renderer.stage_kernel(), settings, figures, options.stats);
     fmt::print("wrote {}\n", out.string());
+    return exit_done;
 }
 
-int render(const std::string &stage, const Options &options) {
+int run(const std::string &stage, const Options &options) {
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
-    const cl::Device device = choose_device(options.device);
-    require_outputs(options, stage);
-
     const RenderSettings settings = settings_of(options, scene);
-    Renderer renderer(device, stage, scene, settings);
-    std::vector<double> frames;
-    Frame frame;
-    for (int i = 0; i < options.frames; ++i) {
-        frame = renderer.render();
-        frames.push_back(frame.milliseconds);
+    std::string reason = "no window was asked for";
+    if (options.display != Display::none) {
+        const Shown shown = show(stage, options, scene, settings);
+        if (shown.done) {
+            return exit_done;
+        }
+        reason = shown.reason;
+        fmt::print("display: none: {}\n", reason);
     }
-
-    write_image(frame.image, options.out, encode_of(stage_number(stage), options.methods));
-    if (options.stats) {
-        const std::string json = stats_json(stage, renderer, settings, frames, frame);
-        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *options.stats);
-    }
-    report(renderer, settings, median(frames), frame.rays, options.out);
-    return exit_done;
+    return draw(stage, options, scene, settings, reason);
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ int run_stage(const std::string &stage, int argc, const char *const *argv) {
             fmt::print("{}", list_devices());
             return exit_done;
         }
-        return render(stage, *options);
+        return run(stage, *options);
     });
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "image/whole_file.h"
 #include "scene/lessons.h"
 
 namespace stagelight {
@@ -29,10 +31,10 @@ ordered_json rays_json(const RayTotals &rays) {
             {"refraction", rays.refraction}};
 }
 
-ordered_json bytes_json(const Renderer &renderer) {
+ordered_json bytes_json(const std::map<std::string, std::size_t> &sizes) {
     ordered_json bytes;
     std::size_t total = 0;
-    for (const auto &[name, size] : renderer.bytes()) {
+    for (const auto &[name, size] : sizes) {
         bytes[name] = size;
         total += size;
     }
@@ -59,7 +61,56 @@ ordered_json methods_json(int stage, const Methods &chosen) {
     return json;
 }
 
+double median_of(const std::vector<FrameTimes> &frames, Interval FrameTimes::*interval) {
+    std::vector<double> lengths;
+    for (const FrameTimes &frame : frames) {
+        lengths.push_back((frame.*interval).length());
+    }
+    return median(lengths);
+}
+
+// The last frames: from when to when each was rendered and presented, milliseconds.
+ordered_json timeline_json(const std::vector<FrameTimes> &frames) {
+    constexpr std::size_t most = 8;
+    const std::size_t first = frames.size() > most ? frames.size() - most : 0;
+    const double start = frames[first].render.begin;
+    ordered_json timeline = ordered_json::array();
+    for (std::size_t i = first; i < frames.size(); ++i) {
+        const auto [render, present, milliseconds] = frames[i];
+        timeline.push_back({{"render", {render.begin - start, render.end - start}},
+                            {"present", {present.begin - start, present.end - start}}});
+    }
+    return timeline;
+}
+
+ordered_json display_json(const DisplayFigures &display) {
+    ordered_json json = {{"rung", display.rung}, {"reason", display.reason}};
+    if (!display.frames.empty()) {
+        json["api"] = display.api;
+        json["color_bits"] = display.color_bits;
+        json["framebuffer"] = {display.width, display.height};
+        json["render_median"] = median_of(display.frames, &FrameTimes::render);
+        json["present_median"] = median_of(display.frames, &FrameTimes::present);
+        json["overlap"] = overlap_of(display.frames);
+        json["timeline"] = timeline_json(display.frames);
+    }
+    return json;
+}
+
 }  // namespace
+
+double overlap_of(const std::vector<FrameTimes> &frames) {
+    double presenting = 0;
+    double both = 0;
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const Interval &present = frames[i].present;
+        const Interval &render = frames[i + 1].render;
+        presenting += present.length();
+        both += std::max(0.0,
+                         std::min(present.end, render.end) - std::max(present.begin, render.begin));
+    }
+    return presenting > 0 ? both / presenting : 0;
+}
 
 double median(std::vector<double> values) {
     assert(!values.empty());
@@ -68,25 +119,44 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-std::string stats_json(const std::string &stage, const Renderer &renderer,
-                       const RenderSettings &settings, const std::vector<double> &frames,
-                       const Frame &last) {
+std::string stats_json(const std::string &stage, const cl::Device &device,
+                       const StageKernel &kernel, const RenderSettings &settings,
+                       const RunFigures &figures) {
     const ordered_json json = {
         {"stage", stage},
-        {"device", device_json(renderer.device())},
-        {"build",
-         {{"options", renderer.options()}, {"milliseconds", renderer.build_milliseconds()}}},
+        {"device", device_json(device)},
+        {"build", {{"options", kernel.options()}, {"milliseconds", kernel.build_milliseconds()}}},
         {"size", {settings.width, settings.height}},
         {"samples", settings.samples},
         {"max_depth", settings.max_depth},
         {"methods", methods_json(stage_number(stage), settings.methods)},
-        {"frames", {{"milliseconds", frames}, {"median", median(frames)}}},
-        {"rays", rays_json(last.rays)},
-        {"dropped_rays", last.rays.dropped},
-        {"bytes_on_device", bytes_json(renderer)},
-        {"needs", needs_json(renderer.needs())},
+        {"frames", {{"milliseconds", figures.frames}, {"median", median(figures.frames)}}},
+        {"rays", rays_json(figures.rays)},
+        {"dropped_rays", figures.rays.dropped},
+        {"bytes_on_device", bytes_json(figures.bytes_on_device)},
+        {"needs", needs_json(kernel.needs())},
+        {"display", display_json(figures.display)},
     };
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+void report(const std::string &stage, const cl::Device &device, const StageKernel &kernel,
+            const RenderSettings &settings, const RunFigures &figures,
+            const std::optional<std::filesystem::path> &file) {
+    if (file) {
+        const std::string json = stats_json(stage, device, kernel, settings, figures);
+        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *file);
+    }
+    const double milliseconds = median(figures.frames);
+    fmt::print("{}\n", device.getInfo<CL_DEVICE_NAME>());
+    fmt::print("{}x{}: {:.1f} ms, {:.2f} million rays/s (kernel built in {:.0f} ms)\n",
+               settings.width, settings.height, milliseconds,
+               static_cast<double>(figures.rays.traced()) / milliseconds / 1000,
+               kernel.build_milliseconds());
+    if (figures.rays.dropped > 0) {
+        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
+                   settings.max_depth);
+    }
 }
 
 }  // namespace stagelight

@@ -2,18 +2,50 @@
 // What a run has cost, as JSON.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "device/renderer.h"
+#include "device/stage_kernel.h"
+#include "display/viewer.h"
 
 namespace stagelight {
 
-// Device, driver, build options, milliseconds, rays by kind, dropped rays, bytes on the device
-// and what the scene needed. `frames` has the milliseconds of each frame, `last` the last one.
-std::string stats_json(const std::string &stage, const Renderer &renderer,
-                       const RenderSettings &settings, const std::vector<double> &frames,
-                       const Frame &last);
+struct DisplayFigures {
+    std::string rung = "none";
+    std::string reason;  // why that one, and none above it
+    // Of a window alone:
+    std::string api;     // glx or egl
+    int color_bits = 0;  // a channel of its framebuffer
+    int width = 0;       // of its framebuffer, pixels
+    int height = 0;      // of its framebuffer, pixels
+    std::vector<FrameTimes> frames;
+};
+
+// What is known when the last frame is done.
+struct RunFigures {
+    std::vector<double> frames;  // milliseconds each
+    RayTotals rays;              // of the last
+    std::map<std::string, std::size_t> bytes_on_device;
+    DisplayFigures display;
+};
+
+// Device, driver, build options, milliseconds, rays by kind, dropped rays, bytes on the device,
+// what the scene needed, and how the frames came to the window.
+std::string stats_json(const std::string &stage, const cl::Device &device,
+                       const StageKernel &kernel, const RenderSettings &settings,
+                       const RunFigures &figures);
+
+// Says on stdout what the run has cost, and writes the stats to `file` if there is one.
+void report(const std::string &stage, const cl::Device &device, const StageKernel &kernel,
+            const RenderSettings &settings, const RunFigures &figures,
+            const std::optional<std::filesystem::path> &file);
+
+// Of the time in which frames were presented, the share in which the next was being rendered.
+double overlap_of(const std::vector<FrameTimes> &frames);
 
 // The middle one; the mean of the middle two.
 double median(std::vector<double> values);

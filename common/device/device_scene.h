@@ -20,6 +20,12 @@ public:
     DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
                 const Scene &scene, Transfer decode = Transfer::none);
 
+    // Whether that argument of the kernel is part of the scene, and was set.
+    bool has_set(const std::string &name) const {
+        return name == "background" || bytes_.contains(name);
+    }
+    // The argument `textures`, where the scene has any.
+    const std::optional<TextureArray> &textures() const { return textures_; }
     // What lies on the device, by argument.
     const std::map<std::string, std::size_t> &bytes() const { return bytes_; }
 

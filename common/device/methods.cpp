@@ -11,8 +11,6 @@
 namespace stagelight {
 namespace {
 
-constexpr int gamma_stage = 8;
-
 const std::vector<Method> &all_methods() {
     static const std::vector<Method> methods = {
         {"interior", "full", 4, "", "Snell, Schlick and Beer at every wall, to the depth limit"},

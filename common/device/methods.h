@@ -10,6 +10,9 @@
 
 namespace stagelight {
 
+// The first stage that decodes textures and encodes what it shows.
+constexpr int gamma_stage = 8;
+
 struct Method {
     std::string kind;
     std::string name;

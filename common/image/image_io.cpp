@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "image/split.h"
 #include "image/whole_file.h"
 #include "scene/errors.h"
 
@@ -77,14 +78,21 @@ void name_curve(OIIO::ImageSpec &spec, Transfer curve) {
 }
 
 // The bytes are ours: OpenImageIO, which gets and writes 8 bits, converts nothing.
-Bytes encode_png(const Image &image, Transfer curve) {
-    const auto to_byte = [curve](float light) {
-        return static_cast<unsigned char>(encode(curve, light) * 255 + 0.5F);
+Bytes encode_png(const Image &image, Transfer curve, bool split) {
+    const auto to_byte = [](Transfer transfer, float light) {
+        return static_cast<unsigned char>(encode(transfer, light) * 255 + 0.5F);
     };
+    const SplitLine line =
+        split ? split_line(split_share, image.width) : SplitLine{image.width, image.width};
     Bytes bytes;
     bytes.reserve(3 * image.pixels.size());
-    for (const glm::vec3 &pixel : image.pixels) {
-        bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b)});
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const auto column = static_cast<int>(i % static_cast<std::size_t>(image.width));
+        const bool on_line = column >= line.begin && column < line.end;
+        const glm::vec3 pixel = on_line ? glm::vec3(split_line_value) : image.pixels[i];
+        const Transfer transfer = column < line.begin ? curve : Transfer::none;
+        bytes.insert(bytes.end(), {to_byte(transfer, pixel.r), to_byte(transfer, pixel.g),
+                                   to_byte(transfer, pixel.b)});
     }
     OIIO::ImageSpec spec = spec_of(image, 3, TypeDesc::UINT8);
     name_curve(spec, curve);
@@ -128,10 +136,11 @@ void require_writable(const std::filesystem::path &file) {
     require_writable_place(file);
 }
 
-void write_image(const Image &image, const std::filesystem::path &file, Transfer encode) {
+void write_image(const Image &image, const std::filesystem::path &file, Transfer encode,
+                 bool split) {
     require_picture_name(file);
     write_whole(extension_of(file) == ".png"
-                    ? encode_png(image, encode)
+                    ? encode_png(image, encode, split)
                     : encode_exr(spec_of(image, 3, TypeDesc::FLOAT), image.pixels.data()),
                 file);
 }

@@ -18,7 +18,8 @@ void require_writable(const std::filesystem::path &file);
 // Writes .png (encoded, then rounded to 8 bits; it names its curve, unless that is none) or .exr
 // (32-bit float, always linear) to a temporary name beside `file` and renames it, so that a failure
 // (a full disk) leaves no half picture and the old one as it was. Throws UserError.
-void write_image(const Image &image, const std::filesystem::path &file, Transfer encode);
+void write_image(const Image &image, const std::filesystem::path &file, Transfer encode,
+                 bool split = false);
 
 // A golden picture: 16-bit float EXR with the channels R, G, B, edge.
 struct Golden {

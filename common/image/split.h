@@ -13,6 +13,7 @@ struct SplitLine {
     int end;
 };
 
+constexpr double split_share = 0.5;    // where --split has its line
 constexpr float split_line_value = 1;  // of all its channels, as the screen shows them
 
 // `share`, in [0, 1], of a picture of `width` columns, > 0, is left of the line.

@@ -2,6 +2,7 @@
 // Stage 01: a ray for every pixel, and the sphere or plane that it hits first.
 #include "camera.cl"
 #include "closest_hit.cl"
+#include "picture.cl"
 
 // #region normals_and_distances
 // There is no light yet: a hit shows its normal as a colour, with a contour line for each
@@ -14,7 +15,7 @@ static float3 normals_and_distances(const Surface *surface, const float distance
 // #endregion normals_and_distances
 
 // #region render
-__kernel void render(__global float4 *image, const Camera camera, SCENE_PARAMETERS) {
+__kernel void render(PICTURE image, const Camera camera, SCENE_PARAMETERS) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
         return;
@@ -27,6 +28,6 @@ __kernel void render(__global float4 *image, const Camera camera, SCENE_PARAMETE
         const Surface surface = surface_at(&scene, ray, hit);
         color = normals_and_distances(&surface, hit.distance);
     }
-    image[pixel.y * camera.size.x + pixel.x] = (float4)(color, 1.0f);
+    write_pixel(image, camera.size.x, pixel, color);
 }
 // #endregion render

@@ -3,9 +3,10 @@
 #include "camera.cl"
 #include "closest_hit.cl"
 #include "diffuse.cl"
+#include "picture.cl"
 
 // #region render
-__kernel void render(__global float4 *image, __global RayCounts *ray_counts, const Camera camera,
+__kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
                      SCENE_PARAMETERS) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
@@ -21,7 +22,7 @@ __kernel void render(__global float4 *image, __global RayCounts *ray_counts, con
         const float3 reflectance = scene.materials[surface.material].color.xyz;
         color = reflectance * direct_light(&scene, &surface, &counts);
     }
-    image[pixel.y * camera.size.x + pixel.x] = (float4)(color, 1.0f);
+    write_pixel(image, camera.size.x, pixel, color);
     add_ray_counts(&ray_counts[pixel.y], counts);
 }
 // #endregion render

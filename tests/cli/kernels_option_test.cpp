@@ -74,9 +74,19 @@ TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
 }
 
 TEST_F(Stage01Kernels, ThatLackAnArgumentAreTold) {
-    replace("stages/01_primitives/kernel.cl", "float4 *image", "float4 *picture");
-    replace("stages/01_primitives/kernel.cl", "    image[", "    picture[");
+    replace("stages/01_primitives/kernel.cl", "PICTURE image", "PICTURE picture");
+    replace("stages/01_primitives/kernel.cl", "write_pixel(image", "write_pixel(picture");
     expect_one_line(refused(), users_mistake, "the kernel 'render' has no argument 'image'");
+}
+
+TEST_F(Stage01Kernels, ThatHaveAnArgumentTooManyAreTold) {
+    replace("stages/01_primitives/kernel.cl", "PICTURE image", "PICTURE image, const float more");
+    expect_one_line(refused(), users_mistake, "the kernel 'render' has an argument 'more'");
+}
+
+TEST_F(Stage01Kernels, WithoutTheKernelItselfAreTold) {
+    replace("stages/01_primitives/kernel.cl", "void render(", "void draw(");
+    expect_one_line(refused(), users_mistake, "there is no kernel 'render'");
 }
 
 TEST_F(Stage01Kernels, ThatAreMissingAreToldByName) {

@@ -10,13 +10,9 @@ namespace {
 
 using Files = std::vector<std::string>;
 
-const std::vector<std::string> stages{"01_primitives",
-                                      "02_shading_shadows",
-                                      "03_reflection_glossy",
-                                      "04_refraction_beer",
-                                      "05_meshes",
-                                      "06_textures",
-                                      "08_gamma"};
+const std::vector<std::string> stages{
+    "01_primitives", "02_shading_shadows", "03_reflection_glossy", "04_refraction_beer",
+    "05_meshes",     "06_textures",        "07_interop",           "08_gamma"};
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 
@@ -37,8 +33,9 @@ TEST_P(EveryStage, DrawsItsDefaultSceneToOut) {
 TEST_P(EveryStage, HelpListsEveryOption) {
     const Outcome outcome = run(GetParam(), {"--help"});
     expect_done(outcome);
-    for (const char *option : {"size", "out", "samples", "depth", "device", "frames", "method",
-                               "kernels", "stats", "list-devices"}) {
+    for (const char *option :
+         {"size", "out", "samples", "depth", "device", "frames", "method", "kernels", "stats",
+          "list-devices", "window", "display", "texture", "scale"}) {
         expect_part(outcome.out, fmt::format("\n  --{} ", option));
     }
     for (const char *part : {"\n  scene ", "--help "}) {

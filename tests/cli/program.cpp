@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -54,8 +55,9 @@ std::string kernel_cache() {
 }
 
 std::vector<std::string> environment_of(const Start &start) {
-    constexpr std::array<std::string_view, 3> ours{"STAGELIGHT_",
-                                                   "RUSTICL_ENABLE=", "OCL_ICD_VENDORS="};
+    constexpr std::array<std::string_view, 6> ours{
+        "STAGELIGHT_",    "RUSTICL_ENABLE=", "OCL_ICD_VENDORS=",
+        "OPENCL_LAYERS=", "DISPLAY=",        "WAYLAND_DISPLAY="};
     std::vector<std::string> environment = start.environment;
     for (char **variable = environ; *variable != nullptr; ++variable) {
         const std::string_view inherited = *variable;
@@ -65,6 +67,19 @@ std::vector<std::string> environment_of(const Start &start) {
     }
     environment.push_back("POCL_CACHE_DIR=" + kernel_cache());
     return environment;
+}
+
+// Without what rusticl says while it builds a kernel that its cache has not yet; it is no concern
+// of the program's.
+std::string without_drivers_words(const std::string &text) {
+    std::istringstream lines(text);
+    std::string rest;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("MESA: warning: Treating load_kernel_arg")) {
+            rest += line + '\n';
+        }
+    }
+    return rest;
 }
 
 std::vector<char *> pointers(std::vector<std::string> &texts) {
@@ -118,7 +133,7 @@ Outcome Cli::run(const std::string &stage, const Start &start) const {
         become(arguments.data(), environment.data(), folder.path().c_str(), start, out, err);
     }
     const int code = wait_for(child);
-    return {code, out.text(), err.text()};
+    return {code, out.text(), without_drivers_words(err.text())};
 }
 
 std::vector<std::string> Cli::files() const {

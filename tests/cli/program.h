@@ -35,7 +35,7 @@ struct Start {
 class Cli : public testing::Test {
 protected:
     // Runs build/<preset>/stages/`stage` in `folder`, with none of the variables that Stagelight
-    // reads but those of `start`. Kills it after a minute.
+    // reads, and no display, but for those of `start`. Kills it after a minute.
     Outcome run(const std::string &stage, const Start &start) const;
     Outcome run(const std::string &stage, const std::vector<std::string> &arguments) const {
         return run(stage, Start{arguments});

@@ -30,12 +30,11 @@ expect_report() {
     fi
 }
 
-kernel=stages/01_primitives/kernel.cl
-expect_report "Invalid write of size 16" "$primitives" "$spheres" "$kernel" \
+expect_report "Invalid write of size 16" "$primitives" "$spheres" kernels/picture.cl \
     's/image\[pixel.y \*/image[1 + pixel.y */'
 expect_report "Invalid read of size" "$primitives" "$spheres" kernels/closest_hit.cl \
     's/i < SPHERE_COUNT/i <= SPHERE_COUNT/'
-expect_report "Write-write data race" "$primitives" "$spheres" "$kernel" \
-    's/image\[pixel.y \* camera.size.x + pixel.x\]/image[pixel.y]/'
+expect_report "Write-write data race" "$primitives" "$spheres" kernels/picture.cl \
+    's/image\[pixel.y \* width + pixel.x\]/image[pixel.y]/'
 expect_report "Invalid write of size" "$glass" "$here/glass_row.toml" kernels/ray_stack.cl \
     's/rays\[STACK_SIZE\]/rays[STACK_SIZE - 1]/'

@@ -33,7 +33,7 @@ const Names mesh{"triangles", "vertex_positions", "vertex_normals"};
 const Names values{"camera", "background"};  // in the arguments themselves: no buffer
 
 Names arguments(const Renderer &renderer) {
-    const std::vector<std::string> names = argument_names(renderer.kernel());
+    const std::vector<std::string> names = argument_names(renderer.stage_kernel().kernel());
     const Names set(names.begin(), names.end());
     EXPECT_EQ(set.size(), names.size());
     return set;

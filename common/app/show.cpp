@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "app/show.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/stats.h"
+#include "device/device_choice.h"
+#include "display/gl_sharing.h"
+#include "display/viewer.h"
+#include "image/image_io.h"
+#include "image/whole_file.h"
+#include "scene/errors.h"
+#include "scene/lessons.h"
+
+namespace stagelight {
+namespace {
+
+void require_outputs(const Options &options) {
+    if (options.out) {
+        require_writable(*options.out);
+    }
+    if (options.stats) {
+        require_writable_place(*options.stats);
+    }
+    if (options.samples > 1) {
+        throw UserError("--samples: a window shows one sample a pixel; --display none takes more");
+    }
+}
+
+// The user's; else, where one can share with the window, that one.
+cl::Device device_for(const Window &window, const Options &options) {
+    const char *from_environment = std::getenv("STAGELIGHT_DEVICE");
+    const bool named =
+        !options.device.empty() || (from_environment != nullptr && *from_environment != '\0');
+    if (!named && options.display == Display::shared) {
+        if (const std::optional<cl::Device> device = device_of_gl_context(window.api())) {
+            return *device;
+        }
+    }
+    return choose_device(options.device);
+}
+
+WindowSettings window_of(const std::string &stage, const Options &options,
+                         const RenderSettings &settings) {
+    const auto pixels = [&](int length) {
+        return static_cast<int>(std::lround(length * options.scale));
+    };
+    return {.width = pixels(settings.width),
+            .height = pixels(settings.height),
+            .title = stage,
+            .api = ContextApi::native,
+            .vsync = !options.frames};  // what is timed waits for no screen
+}
+
+ViewSettings view_of(const std::string &stage, const Options &options) {
+    ViewSettings view;
+    view.scale = options.scale;
+    view.frames = options.frames;
+    view.encode = encode_of(stage_number(stage), options.methods);
+    view.split = options.split;
+    view.screenshots = options.out.value_or(default_out(stage));
+    view.checkout = options.kernels.value_or(STAGELIGHT_CHECKOUT);
+    return view;
+}
+
+std::deque<RungName> ladder_of(Display display) {
+    return display == Display::shared ? std::deque{RungName::shared, RungName::copy}
+                                      : std::deque{RungName::copy};
+}
+
+RunFigures figures_of(const Window &window, const FramePipeline &pipeline,
+                      const ViewFigures &seen) {
+    RunFigures figures;
+    for (const FrameTimes &frame : seen.frames) {
+        figures.frames.push_back(frame.milliseconds);
+    }
+    figures.rays = seen.rays;
+    figures.bytes_on_device = pipeline.bytes();
+    figures.display = {.rung = to_string(pipeline.rung()),
+                       .reason = pipeline.reason(),
+                       .api = window.api() == ContextApi::egl ? "egl" : "glx",
+                       .color_bits = window.color_bits(),
+                       .width = window.framebuffer_size().x,
+                       .height = window.framebuffer_size().y,
+                       .frames = seen.frames};
+    return figures;
+}
+
+void show_in(Window &window, const std::string &stage, const Options &options, const Scene &scene,
+             const RenderSettings &settings) {
+    FramePipeline pipeline(device_for(window, options), window.api(), stage, scene, settings,
+                           ladder_of(options.display), options.texture_format);
+    Viewer viewer(window, pipeline, stage, scene, view_of(stage, options));
+    const ViewFigures seen = viewer.run();
+    if (options.out) {
+        write_image(seen.picture, *options.out, encode_of(stage_number(stage), options.methods),
+                    options.split);
+    }
+    if (!seen.frames.empty()) {
+        report(stage, pipeline.device(), pipeline.stage_kernel(), pipeline.settings(),
+               figures_of(window, pipeline, seen), options.stats);
+    }
+    if (options.out) {
+        fmt::print("wrote {}\n", options.out->string());
+    }
+}
+
+}  // namespace
+
+Shown show(const std::string &stage, const Options &options, const Scene &scene,
+           const RenderSettings &settings) {
+    require_outputs(options);
+    std::string reason;
+    std::optional<Window> window;
+    try {
+        window.emplace(window_of(stage, options, settings));
+    } catch (const MachineError &error) {
+        if (options.window) {
+            throw;
+        }
+        return {false, error.what()};
+    }
+    try {
+        show_in(*window, stage, options, scene, settings);
+        return {true, ""};
+    } catch (const RungLost &lost) {
+        if (options.window) {
+            throw MachineError(
+                fmt::format("{}; --display none writes a picture file", lost.what()));
+        }
+        return {false, lost.what()};
+    }
+}
+
+}  // namespace stagelight

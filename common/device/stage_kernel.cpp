@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "device/stage_kernel.h"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "device/kernel_source.h"
+#include "image/split.h"
+#include "scene/errors.h"
+#include "scene/lessons.h"
+
+namespace stagelight {
+namespace {
+
+constexpr int group_width = 8;
+constexpr int group_height = 8;
+
+std::size_t round_up(int size, int multiple) {
+    return static_cast<std::size_t>((size + multiple - 1) / multiple * multiple);
+}
+
+cl::Kernel render_kernel(const cl::Program &program) {
+    try {
+        return {program, "render"};
+    } catch (const cl::Error &error) {
+        if (error.err() == CL_INVALID_KERNEL_NAME) {
+            throw KernelError("there is no kernel 'render' in the stage's kernel.cl");
+        }
+        throw;
+    }
+}
+
+}  // namespace
+
+RayTotals &RayTotals::operator+=(const RayTotals &more) {
+    primary += more.primary;
+    shadow += more.shadow;
+    reflection += more.reflection;
+    refraction += more.refraction;
+    dropped += more.dropped;
+    return *this;
+}
+
+RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixels) {
+    RayTotals totals;
+    totals.primary = pixels;
+    for (const device::RayCounts &row : rows) {
+        totals += {0, row.shadow, row.reflection, row.refraction, row.dropped};
+    }
+    return totals;
+}
+
+std::string build_options(const SceneNeeds &needs, const Methods &methods) {
+    std::string options = "-cl-std=CL1.2 -cl-kernel-arg-info";
+    for (const auto &[name, value] : needs) {
+        options += fmt::format(" -D {}={}", name, value);
+    }
+    for (const std::string &define : defines_of(methods)) {
+        options += fmt::format(" -D {}=1", define);
+    }
+    return options;
+}
+
+cl::Program build_program(const cl::Context &context, const std::string &source,
+                          const std::string &options, bool from_disk) {
+    cl::Program program(context, source);
+    try {
+        program.build(options.c_str());
+    } catch (const cl::BuildError &error) {
+        std::string message = "the kernel does not build:";
+        for (const auto &[device, log] : error.getBuildLog()) {
+            message += '\n' + log;
+        }
+        if (from_disk) {
+            throw KernelError(message);
+        }
+        throw MachineError(message);
+    }
+    return program;
+}
+
+// Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
+// second mirrors the index's bits. Moved to the middle of their strata, so that a single
+// sample is the pixel's centre.
+device::float2 sample_point(int index, int count) {
+    double radical_inverse = 0;
+    double digit = 0.5;
+    int strata = 1;
+    for (int bits = index; bits > 0; bits /= 2, digit /= 2) {
+        radical_inverse += (bits % 2) * digit;
+    }
+    while (strata < count) {
+        strata *= 2;
+    }
+    return {{static_cast<float>((index + 0.5) / count),
+             static_cast<float>(radical_inverse + 0.5 / strata)}};
+}
+
+StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
+                         const std::string &stage, const Scene &scene,
+                         const RenderSettings &settings, Picture picture)
+    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)),
+      options_(build_options(needs_, settings.methods)) {
+    if (picture == Picture::image) {
+        options_ += " -D PICTURE_IS_IMAGE=1";
+    }
+    const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
+    const auto start = std::chrono::steady_clock::now();
+    kernel_ = render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
+    build_milliseconds_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    scene_.emplace(context, device, kernel_, scene,
+                   decode_of(stage_number(stage), settings.methods));
+    learn_arguments();
+    if (settings.split && scene_->textures()) {
+        plain_textures_.emplace(context, device, scene, Transfer::none);
+    }
+    make_room_for_ray_counts(settings.height);
+}
+
+// A kernel of the user's own may lack one, or have one that nobody fills.
+void StageKernel::learn_arguments() {
+    const std::vector<std::string> names = argument_names(kernel_);
+    for (cl_uint i = 0; i < names.size(); ++i) {
+        arguments_[names[i]] = i;
+    }
+    for (const char *name : {"image", "camera"}) {
+        if (!arguments_.contains(name)) {
+            throw KernelError(fmt::format("the kernel 'render' has no argument '{}'", name));
+        }
+    }
+    for (const std::string &name : names) {
+        const bool ours = name == "image" || name == "camera" || name == "ray_counts";
+        if (!ours && !scene_->has_set(name)) {
+            throw KernelError(fmt::format(
+                "the kernel 'render' has an argument '{}', which this scene does not fill", name));
+        }
+    }
+}
+
+std::map<std::string, std::size_t> StageKernel::bytes() const {
+    std::map<std::string, std::size_t> bytes = scene_->bytes();
+    if (plain_textures_) {
+        bytes["plain_textures"] = plain_textures_->bytes();
+    }
+    if (ray_counts_) {
+        bytes["ray_counts"] = ray_counts_->getInfo<CL_MEM_SIZE>();
+    }
+    return bytes;
+}
+
+void StageKernel::make_room_for_ray_counts(int height) {
+    const std::size_t size = static_cast<std::size_t>(height) * sizeof(device::RayCounts);
+    if (arguments_.contains("ray_counts")
+        && (!ray_counts_ || ray_counts_->getInfo<CL_MEM_SIZE>() != size)) {
+        ray_counts_ = cl::Buffer(context_, CL_MEM_READ_WRITE, size);
+        kernel_.setArg(arguments_.at("ray_counts"), *ray_counts_);
+    }
+}
+
+void StageKernel::clear_ray_counts(const cl::CommandQueue &queue, int height) {
+    make_room_for_ray_counts(height);
+    if (ray_counts_) {
+        queue.enqueueFillBuffer(*ray_counts_, cl_uint{0}, 0, ray_counts_->getInfo<CL_MEM_SIZE>());
+    }
+}
+
+void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
+                         const device::Camera &camera) {
+    kernel_.setArg(arguments_.at("image"), image);
+    kernel_.setArg(arguments_.at("camera"), camera);
+    const auto [width, height] = camera.size.s;
+    if (plain_textures_) {
+        launch_split(queue, width, height);
+    } else {
+        queue.enqueueNDRangeKernel(
+            kernel_, cl::NullRange,
+            cl::NDRange(round_up(width, group_width), round_up(height, group_height)),
+            cl::NDRange(group_width, group_height));
+    }
+}
+
+// The halves have no width that a work-group of ours divides: the driver chooses one.
+void StageKernel::launch_split(const cl::CommandQueue &queue, int width, int height) {
+    const auto launch_columns = [&](const TextureArray &textures, int first, int end) {
+        if (first < end) {
+            kernel_.setArg(arguments_.at("textures"), textures.image());
+            queue.enqueueNDRangeKernel(kernel_, cl::NDRange(std::size_t(first), 0),
+                                       cl::NDRange(std::size_t(end - first), std::size_t(height)));
+        }
+    };
+    const int middle = split_line(split_share, width).begin;
+    launch_columns(*scene_->textures(), 0, middle);
+    launch_columns(*plain_textures_, middle, width);
+}
+
+void StageKernel::read_ray_counts(const cl::CommandQueue &queue,
+                                  std::vector<device::RayCounts> &rows) const {
+    rows.clear();
+    if (ray_counts_) {
+        rows.resize(ray_counts_->getInfo<CL_MEM_SIZE>() / sizeof(device::RayCounts));
+        queue.enqueueReadBuffer(*ray_counts_, CL_FALSE, 0, rows.size() * sizeof rows[0],
+                                rows.data());
+    }
+}
+
+}  // namespace stagelight

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// One stage's kernel, built for one scene and ready to launch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "device/device_scene.h"
+#include "device/methods.h"
+#include "device/opencl.h"
+#include "device/scene_needs.h"
+#include "scene/scene.h"
+#include "scene_types.h"
+
+namespace stagelight {
+
+struct RenderSettings {
+    int width = 640;
+    int height = 384;
+    int max_depth = 8;
+    int samples = 1;  // a pixel
+    Methods methods;
+    std::optional<std::filesystem::path> kernels;  // a checkout to read the kernels from
+    bool split = false;  // right of the middle, texels are taken for light (stage 08)
+};
+
+// What the kernel writes to (kernels/picture.cl): a buffer of float4, or an image.
+enum class Picture { buffer, image };
+
+// Summed over all samples of a picture.
+struct RayTotals {
+    std::uint64_t primary = 0;
+    std::uint64_t shadow = 0;
+    std::uint64_t reflection = 0;
+    std::uint64_t refraction = 0;
+    std::uint64_t dropped = 0;  // cut off by the depth limit
+
+    RayTotals &operator+=(const RayTotals &more);
+    std::uint64_t traced() const { return primary + shadow + reflection + refraction; }
+};
+
+// -cl-std and the names that kernels/ are built with for a scene and its methods.
+std::string build_options(const SceneNeeds &needs, const Methods &methods);
+
+// Builds `source`. Where it does not build, throws the log: as a KernelError if it was read
+// `from_disk` (the user's own work), else as a MachineError.
+cl::Program build_program(const cl::Context &context, const std::string &source,
+                          const std::string &options, bool from_disk = false);
+
+// The point of a pixel, in [0, 1), that the sample `index` of `count` goes through.
+device::float2 sample_point(int index, int count);
+
+class StageKernel {
+public:
+    // `stage` is its folder's name, "04_refraction_beer". Throws as build_program and
+    // DeviceScene do.
+    StageKernel(const cl::Context &context, const cl::Device &device, const std::string &stage,
+                const Scene &scene, const RenderSettings &settings,
+                Picture picture = Picture::buffer);
+
+    // Makes ready for a picture of `height` rows, and counts rays from 0. In-order, as all here.
+    void clear_ray_counts(const cl::CommandQueue &queue, int height);
+    // One sample of each pixel of `camera`'s picture into `image`, which is what `picture` said.
+    void launch(const cl::CommandQueue &queue, const cl::Memory &image,
+                const device::Camera &camera);
+    // Without waiting: `rows` is filled when the queue has come that far.
+    void read_ray_counts(const cl::CommandQueue &queue, std::vector<device::RayCounts> &rows) const;
+
+    const cl::Kernel &kernel() const { return kernel_; }
+    const SceneNeeds &needs() const { return needs_; }
+    const std::string &options() const { return options_; }
+    double build_milliseconds() const { return build_milliseconds_; }
+    // What lies on the device, by argument; the picture is not the kernel's.
+    std::map<std::string, std::size_t> bytes() const;
+
+private:
+    void learn_arguments();
+    void make_room_for_ray_counts(int height);
+    void launch_split(const cl::CommandQueue &queue, int width, int height);
+
+    cl::Context context_;
+    SceneNeeds needs_;
+    std::string options_;
+    cl::Kernel kernel_;
+    std::optional<DeviceScene> scene_;
+    std::map<std::string, cl_uint> arguments_;
+    std::optional<TextureArray> plain_textures_;  // not decoded, for the right half of a split
+    std::optional<cl::Buffer> ray_counts_;
+    double build_milliseconds_ = 0;
+};
+
+// The rows' sum, and a primary ray for each of `pixels`.
+RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixels);
+
+}  // namespace stagelight

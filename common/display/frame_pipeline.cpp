@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "display/frame_pipeline.h"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "device/device_types.h"
+#include "display/copy_rung.h"
+#include "display/shared_rung.h"
+
+namespace stagelight {
+namespace {
+
+const char *reason_for(RungName name) {
+    return name == RungName::shared ? "OpenCL renders into the window's texture"
+                                    : "the picture is copied into the window's texture";
+}
+
+}  // namespace
+
+const char *to_string(RungName name) {
+    return name == RungName::shared ? "shared" : "copy";
+}
+
+FramePipeline::FramePipeline(const cl::Device &device, ContextApi api, const std::string &stage,
+                             const Scene &scene, const RenderSettings &settings,
+                             const std::deque<RungName> &ladder, TextureFormat format)
+    : device_(device), api_(api), stage_(stage), scene_(scene), settings_(settings),
+      ladder_(ladder), format_(format) {
+    take_next();
+}
+
+std::unique_ptr<Rung> FramePipeline::make_rung(RungName name) const {
+    if (name == RungName::shared) {
+        return std::make_unique<SharedRung>(device_, api_, format_);
+    }
+    return std::make_unique<CopyRung>(device_, format_);
+}
+
+StageKernel FramePipeline::build(const RenderSettings &settings) const {
+    return {rung_->context(), device_, stage_, scene_, settings, rung_->picture()};
+}
+
+void FramePipeline::take(RungName name) {
+    kernel_.reset();
+    rung_.reset();
+    in_flight_ = 0;
+    name_ = name;
+    rung_ = make_rung(name);
+    rung_->resize(settings_.width, settings_.height);
+    kernel_ = build(settings_);
+    report(fmt::format("{}: {}", to_string(name), reason_for(name)));
+}
+
+void FramePipeline::report(const std::string &line) {
+    fmt::print("display: {}\n", line);
+    std::fflush(stdout);  // the window may stay for hours
+    reason_ += (reason_.empty() ? "" : "; ") + line;
+}
+
+void FramePipeline::take_next() {
+    if (ladder_.empty()) {
+        throw RungLost(reason_);
+    }
+    const RungName name = ladder_.front();
+    ladder_.pop_front();
+    attempt([&] { take(name); });
+}
+
+// False where the rung failed, and the next one was taken.
+bool FramePipeline::attempt(const std::function<void()> &action) {
+    std::string reason;
+    try {
+        action();
+        return true;
+    } catch (const RungLost &lost) {
+        reason = lost.what();
+    } catch (const cl::Error &error) {
+        reason = fmt::format("{} failed with error {}", error.what(), error.err());
+    }
+    report(fmt::format("no {}: {}", to_string(name_), reason));
+    take_next();
+    return false;
+}
+
+void FramePipeline::resize(int width, int height) {
+    settings_.width = width;
+    settings_.height = height;
+    attempt([&] { rung_->resize(width, height); });
+}
+
+void FramePipeline::rebuild(const std::optional<std::filesystem::path> &kernels) {
+    RenderSettings settings = settings_;
+    settings.kernels = kernels;
+    kernel_ = build(settings);
+    settings_ = settings;
+}
+
+void FramePipeline::start(const CameraDescription &camera) {
+    device::Camera view = to_device(camera, settings_.width, settings_.height);
+    view.sample = sample_point(0, 1);
+    while (!attempt([&] { rung_->start(*kernel_, view); })) {
+    }
+    ++in_flight_;
+}
+
+std::optional<FinishedFrame> FramePipeline::finish() {
+    std::optional<FinishedFrame> frame;
+    if (attempt([&] { frame = rung_->finish(); })) {
+        --in_flight_;
+    }
+    return frame;
+}
+
+std::map<std::string, std::size_t> FramePipeline::bytes() const {
+    std::map<std::string, std::size_t> bytes = kernel_->bytes();
+    bytes["image"] = rung_->bytes();
+    return bytes;
+}
+
+}  // namespace stagelight

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// --window and --display: the ladder as a user climbs down it.
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/picture_file.h"
+#include "cli/program.h"
+#include "display/xvfb.h"
+
+namespace stagelight::cli {
+namespace {
+
+class Stage07WithoutDisplay : public Cli {};
+
+class Stage07Window : public Cli {
+protected:
+    // With a display, and with what else is asked for.
+    Outcome show(const std::string &stage, std::vector<std::string> arguments,
+                 std::vector<std::string> environment = {}) const {
+        arguments.insert(arguments.end(), {"--size", small, "--device", "pthread"});
+        environment.push_back("DISPLAY=" + xvfb.display());
+        return run(stage, Start{arguments, environment});
+    }
+    nlohmann::json stats() const {
+        std::ifstream file(folder.path() / "stats.json");
+        return nlohmann::json::parse(file).at("display");
+    }
+    PictureFile picture(const std::string &name) const {
+        return read_picture_file(folder.path() / name);
+    }
+
+    Xvfb xvfb;
+    const std::string layer = std::string("OPENCL_LAYERS=") + STAGELIGHT_LAYER;
+};
+
+TEST_F(Stage07WithoutDisplay, AWindowThatIsDemandedIsTheMachinesLack) {
+    const Outcome outcome = run("01_primitives", {"--window", "--size", small});
+    expect_one_line(outcome, machines_lack, "Xvfb");
+    expect_part(outcome.err, "--display none");
+    EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Stage07WithoutDisplay, TheLadderEndsAtAPicture) {
+    for (const char *rung : {"auto", "shared", "copy"}) {
+        const Outcome outcome = run("01_primitives", {"--display", rung, "--size", small});
+        expect_done(outcome);
+        expect_part(outcome.out, "display: none: no display");
+        expect_part(outcome.out, "wrote out/01_primitives.png\n");
+    }
+}
+
+TEST_F(Stage07WithoutDisplay, Stage07DrawsAPicture) {
+    const Outcome outcome = run("07_interop", {"--size", small, "--stats", "stats.json"});
+    expect_done(outcome);
+    expect_part(outcome.out, "display: none: no display");
+    expect_part(outcome.out, "wrote out/07_interop.png\n");
+}
+
+TEST_F(Stage07WithoutDisplay, OptionsThatContradictAreRefused) {
+    expect_one_line(run("01_primitives", {"--window", "--display", "none"}), users_mistake,
+                    "--window and --display none");
+    expect_one_line(run("01_primitives", {"--display", "screen"}), users_mistake, "--display");
+    expect_one_line(run("01_primitives", {"--texture", "rgba8"}), users_mistake, "--texture");
+    expect_one_line(run("01_primitives", {"--scale", "0.5"}), users_mistake, "--scale");
+    expect_one_line(run("01_primitives", {"--window", "--samples", "4"}), users_mistake,
+                    "--samples");
+}
+
+TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
+    expect_done(show("07_interop", {"--out", "none.exr"}));
+    for (const std::string rung : {"shared", "copy"}) {
+        const Outcome outcome = show(
+            "07_interop",
+            {"--display", rung, "--frames", "60", "--out", rung + ".exr", "--stats", "stats.json"},
+            {layer});
+        expect_done(outcome);
+        expect_part(outcome.out, "display: " + rung + ": ");
+        EXPECT_EQ(largest_difference(picture("none.exr"), picture(rung + ".exr")), 0) << rung;
+        EXPECT_EQ(stats().at("rung"), rung);
+        EXPECT_EQ(stats().at("framebuffer"), nlohmann::json({32, 20}));
+        EXPECT_EQ(stats().at("timeline").size(), 8);
+    }
+}
+
+// Without cl_khr_gl_event the host waits for OpenGL, and the picture is the same.
+TEST_F(Stage07Window, SharesWithoutEventsToo) {
+    expect_done(show("07_interop", {"--out", "none.exr"}));
+    const Outcome outcome =
+        show("07_interop", {"--display", "shared", "--frames", "3", "--out", "shared.exr"},
+             {layer, "STAGELIGHT_LAYER_GL_EVENT=0"});
+    expect_done(outcome);
+    expect_part(outcome.out, "display: shared: ");
+    EXPECT_EQ(largest_difference(picture("none.exr"), picture("shared.exr")), 0);
+}
+
+TEST_F(Stage07Window, ADeviceThatCannotShareCopies) {
+    const Outcome outcome =
+        show("01_primitives", {"--window", "--frames", "3", "--stats", "stats.json"});
+    expect_done(outcome);
+    expect_part(outcome.out, "has no cl_khr_gl_sharing\ndisplay: copy: ");
+    EXPECT_EQ(stats().at("rung"), "copy");
+    expect_part(stats().at("reason"), "no shared: ");
+    EXPECT_EQ(files(), std::vector<std::string>{"stats.json"}) << "a window writes no picture";
+}
+
+TEST_F(Stage07Window, ScaleMakesTheWindowLargerThanThePicture) {
+    expect_done(show("01_primitives", {"--window", "--frames", "2", "--scale", "2.5", "--out",
+                                       "a.exr", "--stats", "stats.json"}));
+    EXPECT_EQ(picture("a.exr").width, 32);
+    EXPECT_EQ(stats().at("framebuffer"), nlohmann::json({80, 50}));
+}
+
+TEST_F(Stage07Window, TheTexturesFormatIsTheUsers) {
+    expect_done(show("01_primitives", {"--out", "none.exr"}));
+    expect_done(show("01_primitives",
+                     {"--window", "--frames", "2", "--texture", "rgba16f", "--out", "half.exr"}));
+    const float difference = largest_difference(picture("none.exr"), picture("half.exr"));
+    EXPECT_GT(difference, 0);
+    EXPECT_LE(difference, 0.00098F);
+}
+
+const std::string no_buffer_storage = "MESA_EXTENSION_OVERRIDE=-GL_ARB_buffer_storage";
+
+TEST_F(Stage07Window, OpenGlThatKeepsNoBufferMappedDrawsAPicture) {
+    const std::vector<std::string> old{"MESA_GL_VERSION_OVERRIDE=3.3", no_buffer_storage};
+    const Outcome outcome = show("01_primitives", {"--display", "auto"}, old);
+    expect_done(outcome);
+    expect_part(outcome.out, "display: no copy: OpenGL has no ARB_buffer_storage");
+    expect_part(outcome.out, "wrote out/01_primitives.png\n");
+    const Outcome demanded = show("01_primitives", {"--window"}, old);
+    EXPECT_EQ(demanded.code, machines_lack) << demanded;
+    expect_part(demanded.err, "--display none");
+}
+
+TEST_F(Stage07Window, OpenGlThatIsTooOldDrawsAPicture) {
+    const std::vector<std::string> old{"MESA_GL_VERSION_OVERRIDE=2.1"};
+    const Outcome outcome = show("01_primitives", {"--display", "auto"}, old);
+    expect_done(outcome);
+    expect_part(outcome.out, "display: none: ");
+    expect_part(outcome.out, "3.3");
+    expect_one_line(show("01_primitives", {"--window"}, old), machines_lack, "3.3");
+}
+
+}  // namespace
+}  // namespace stagelight::cli

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+// The window as a person has it: what is pressed, dragged and resized, and what is shown then.
+#include <fstream>
+#include <thread>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "cli/picture_file.h"
+#include "device/device_choice.h"
+#include "device/renderer.h"
+#include "display/viewer.h"
+#include "display/x_client.h"
+#include "display/xvfb.h"
+#include "image/image_io.h"
+#include "scene/scene_file.h"
+#include "scene/temporary_folder.h"
+
+namespace stagelight {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto stage = "01_primitives";
+
+// The viewer looks at its own frames; a person presses keys beside it, and waits for what they
+// do to show in the window's title or on disk.
+class Stage07Viewer : public testing::Test {
+protected:
+    Stage07Viewer() {
+        for (const char *part : {"kernels", "stages"}) {
+            fs::copy(fs::path(STAGELIGHT_SOURCE_DIR) / part, folder.path() / part,
+                     fs::copy_options::recursive);
+        }
+        settings.width = 64;
+        settings.height = 40;
+        view.checkout = folder.path();
+        view.screenshots = folder.path() / "shot.exr";
+    }
+
+    // A person at the window, who can tell when what was done has been seen to: a screenshot that
+    // is asked for then lies on disk. Twice, since a frame may have been started in between.
+    class Person : public XClient {
+    public:
+        explicit Person(const fs::path &shots) : XClient("viewer"), shots_(shots) {}
+
+        void tap(const std::string &key) {
+            press(key);
+            release(key);
+        }
+        void settle() {
+            for (int i = 0; i < 2; ++i) {
+                tap("p");
+                wait_for(shots_ / fmt::format("shot_{}.exr", ++count_));
+            }
+        }
+
+    private:
+        static void wait_for(const fs::path &file) {
+            for (int i = 0; i < 3000 && !fs::exists(file); ++i) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        }
+
+        fs::path shots_;
+        int count_ = 0;
+    };
+
+    // What the viewer has seen when `actions` are done, after which Esc closes the window.
+    ViewFigures run(const std::function<void(Person &)> &actions) {
+        FramePipeline pipeline(choose_device("pthread"), window.api(), stage, scene, settings,
+                               {RungName::copy}, TextureFormat::rgba32f);
+        Viewer viewer(window, pipeline, stage, scene, view);
+        std::jthread beside([&] {
+            Person person(folder.path());
+            person.settle();
+            actions(person);
+            if (!window.closed()) {
+                person.settle();
+                person.tap("Escape");
+            }
+        });
+        ViewFigures seen = viewer.run();
+        last_settings = pipeline.settings();
+        return seen;
+    }
+
+    Image rendered(const CameraDescription &camera) const {
+        Scene from_there = scene;
+        from_there.camera = camera;
+        return Renderer(choose_device("pthread"), stage, from_there, last_settings).render().image;
+    }
+    void replace_in_kernel(const std::string &text, const std::string &with) const {
+        const fs::path file = folder.path() / "stages" / stage / "kernel.cl";
+        std::ifstream in(file);
+        std::string source{std::istreambuf_iterator<char>(in), {}};
+        const std::size_t place = source.find(text);
+        ASSERT_NE(place, std::string::npos);
+        source.replace(place, text.size(), with);
+        std::ofstream(file) << source;
+    }
+
+    TemporaryFolder folder;
+    Xvfb xvfb;
+    Window window{{.width = 64, .height = 40, .title = "viewer", .vsync = false}};
+    Scene scene = load_scene(fs::path(STAGELIGHT_SOURCE_DIR) / "scenes" / "01_primitives.toml");
+    RenderSettings settings;
+    RenderSettings last_settings;
+    ViewSettings view;
+};
+
+TEST_F(Stage07Viewer, RendersOnceWhileNothingChanges) {
+    const ViewFigures seen = run([](Person &person) {
+        person.expose();  // drawn anew, not rendered
+    });
+    EXPECT_EQ(seen.frames.size(), 1);
+    EXPECT_EQ(seen.picture.pixels, rendered(scene.camera).pixels);
+}
+
+TEST_F(Stage07Viewer, FliesWhileAKeyIsHeldAndShowsTheLastPlace) {
+    const ViewFigures seen = run([](Person &person) {
+        person.press("w");
+        person.settle();
+        person.release("w");
+    });
+    EXPECT_GT(seen.frames.size(), 3);
+    EXPECT_NE(seen.picture.pixels, rendered(scene.camera).pixels);
+}
+
+TEST_F(Stage07Viewer, GivesThePictureTheWindowsNewSize) {
+    view.scale = 2;
+    const ViewFigures seen = run([](Person &person) { person.resize(201, 120); });
+    EXPECT_EQ(seen.picture.width, 101);
+    EXPECT_EQ(seen.picture.height, 60);
+    EXPECT_EQ(seen.picture.pixels, rendered(scene.camera).pixels);
+}
+
+TEST_F(Stage07Viewer, ScreenshotsAreThePictureAndCountUp) {
+    const ViewFigures seen = run([](Person &) {});
+    for (int i = 1; i <= 4; ++i) {  // two each time that the person waits
+        const cli::PictureFile shot =
+            cli::read_picture_file(folder.path() / fmt::format("shot_{}.exr", i));
+        EXPECT_EQ(shot.width, 64);
+        EXPECT_EQ(shot.at(32, 20, 2), seen.picture.at(32, 20).b);
+    }
+}
+
+TEST_F(Stage07Viewer, ReloadedKernelsDrawTheNextFrame) {
+    replace_in_kernel("(0.5f + 0.5f * surface->normal) * (1.0f - darkening)", "(float3)(0.25f)");
+    const ViewFigures seen = run([](Person &person) { person.tap("r"); });
+    EXPECT_EQ(seen.frames.size(), 2);
+    EXPECT_EQ(seen.picture.at(32, 20), glm::vec3(0.25F));
+}
+
+// The last kernel that was good goes on, and what is wrong with the new one is told.
+TEST_F(Stage07Viewer, KernelsThatDoNotBuildAreToldAndLeftOut) {
+    replace_in_kernel("const float line = ", "const float line = oops + ");
+    testing::internal::CaptureStderr();
+    const ViewFigures seen = run([](Person &person) {
+        person.tap("r");
+        person.settle();
+        person.press("d");
+        person.settle();
+        person.release("d");
+    });
+    const std::string told = testing::internal::GetCapturedStderr();
+    EXPECT_NE(told.find("stages/01_primitives/kernel.cl"), std::string::npos) << told;
+    EXPECT_NE(told.find("oops"), std::string::npos) << told;
+    EXPECT_GT(seen.frames.size(), 2);
+    EXPECT_GT(seen.picture.at(32, 20).b, 0) << "the old kernel no longer draws";
+}
+
+// Of a kernel that was never the viewer's: a file that is gone.
+TEST_F(Stage07Viewer, MissingKernelsAreToldAndLeftOut) {
+    fs::remove(folder.path() / "kernels" / "sphere.cl");
+    testing::internal::CaptureStderr();
+    const ViewFigures seen = run([](Person &person) { person.tap("r"); });
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("kernels/sphere.cl"), std::string::npos);
+    EXPECT_EQ(seen.frames.size(), 1);
+}
+
+TEST_F(Stage07Viewer, TheTitleSaysWhatAFrameCosts) {
+    std::string title;
+    run([&title](Person &person) { title = person.title(); });
+    for (const char *part : {"01_primitives", " ms", " million rays/s", "copy", "pthread"}) {
+        EXPECT_NE(title.find(part), std::string::npos) << part << " in " << title;
+    }
+}
+
+// Closed while frames are in flight: they end, and nothing crashes.
+TEST_F(Stage07Viewer, ClosesWhileAFrameIsInFlight) {
+    view.frames = 1000000;
+    const ViewFigures seen = run([](Person &person) { person.click_close(); });
+    EXPECT_GT(seen.frames.size(), 10);
+    EXPECT_LT(seen.frames.size(), 1000000);
+}
+
+// Nothing is rendered for a window that nobody can see.
+TEST_F(Stage07Viewer, RestsWhileMinimised) {
+    const ViewFigures seen = run([](Person &person) {
+        person.minimise();
+        person.restore();
+    });
+    EXPECT_LE(seen.frames.size(), 2);
+    EXPECT_EQ(seen.picture.width, 64);
+}
+
+}  // namespace
+}  // namespace stagelight
