@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// ./stagelight bench interop: what it costs to bring a picture to the window, on each rung of
+// the display ladder, and in the way that the paper started from (section 2).
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include "app/run_main.h"
+#include "app/stats.h"
+#include "device/device_choice.h"
+#include "device/renderer.h"
+#include "display/gl_sharing.h"
+#include "display/viewer.h"
+#include "scene/errors.h"
+#include "scene/scene_file.h"
+
+namespace stagelight {
+namespace {
+
+constexpr int frames_a_run = 20;
+
+struct Work {
+    std::string stage;
+    Scene scene;
+    RenderSettings settings;
+};
+
+Work work_of(const std::string &stage) {
+    Work work{
+        stage,
+        load_scene(std::filesystem::path(STAGELIGHT_SOURCE_DIR) / "scenes" / (stage + ".toml")),
+        {}};
+    work.settings.width = work.scene.width;
+    work.settings.height = work.scene.height;
+    work.settings.max_depth = work.scene.max_depth;
+    return work;
+}
+
+WindowSettings window_of(const Work &work) {
+    return {.width = work.settings.width,
+            .height = work.settings.height,
+            .title = work.stage,
+            .api = ContextApi::native,
+            .vsync = false};
+}
+
+cl::Device device_for(const Window &window) {
+    const std::optional<cl::Device> device = device_of_gl_context(window.api());
+    return device ? *device : choose_device("");
+}
+
+// The first frame waits for what the drivers put off until they are used.
+std::vector<FrameTimes> without_first(const std::vector<FrameTimes> &frames) {
+    return {frames.end() - frames_a_run, frames.end()};
+}
+
+std::vector<FrameTimes> show_on(RungName rung, const Work &work) {
+    Window window(window_of(work));
+    FramePipeline pipeline(device_for(window), window.api(), work.stage, work.scene, work.settings,
+                           {rung}, TextureFormat::rgba32f);
+    ViewSettings view;
+    view.frames = frames_a_run + 1;
+    return without_first(Viewer(window, pipeline, work.stage, work.scene, view).run().frames);
+}
+
+// #region naive
+// 8 bits a channel, for a texture that is made for this frame alone.
+GLuint new_texture(const Image &image) {
+    std::vector<unsigned char> bytes;
+    bytes.reserve(4 * image.pixels.size());
+    const auto to_byte = [](float value) {
+        return static_cast<unsigned char>(std::lround(255 * encode(Transfer::none, value)));
+    };
+    for (const glm::vec3 &pixel : image.pixels) {
+        bytes.insert(bytes.end(), {to_byte(pixel.r), to_byte(pixel.g), to_byte(pixel.b), 255});
+    }
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, bytes.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    return texture;
+}
+
+// The picture is read back, converted on the CPU, and uploaded, one after the other.
+std::vector<FrameTimes> show_naively(const Work &work) {
+    Window window(window_of(work));
+    Renderer renderer(device_for(window), work.stage, work.scene, work.settings);
+    const Screen screen;
+    std::vector<FrameTimes> frames;
+    for (int i = 0; i <= frames_a_run; ++i) {
+        window.poll();
+        const double start = now_milliseconds();
+        const Frame frame = renderer.render();
+        const GLuint texture = new_texture(frame.image);
+        screen.draw(texture, window.framebuffer_size(), window.color_bits(), Transfer::none);
+        window.swap();
+        glDeleteTextures(1, &texture);
+        const double end = now_milliseconds();
+        const double rendered = start + frame.milliseconds;
+        frames.push_back({{start, rendered}, {rendered, end}, end - start});
+    }
+    return without_first(frames);
+}
+// #endregion naive
+
+double median_of(const auto &elements, const auto &figure) {
+    std::vector<double> values;
+    std::ranges::transform(elements, std::back_inserter(values), figure);
+    return median(values);
+}
+
+template <typename Show> void measure(benchmark::State &state, const Show &show) {
+    std::vector<FrameTimes> frames;
+    for (auto _ : state) {
+        try {
+            frames = show();
+        } catch (const RungLost &lost) {
+            state.SkipWithError(lost.what());
+            return;
+        }
+        state.SetIterationTime(median_of(frames, [](auto f) { return f.milliseconds; }) / 1000);
+    }
+    state.counters["render"] = median_of(frames, [](auto f) { return f.render.length(); });
+    state.counters["present"] = median_of(frames, [](auto f) { return f.present.length(); });
+    state.counters["overlap"] = overlap_of(frames);
+}
+
+// One line a way: the medians of all its repetitions.
+class Table : public benchmark::BenchmarkReporter {
+public:
+    bool ReportContext(const Context &) override { return true; }
+
+    void ReportRuns(const std::vector<Run> &runs) override {
+        for (const Run &run : runs) {
+            if (run.run_type == Run::RT_Iteration) {
+                runs_[run.run_name.function_name].push_back(run);
+            }
+        }
+    }
+
+    // The cost is what a frame takes beside its rendering alone, which is that of the naive way:
+    // nothing else runs then.
+    void Finalize() override {
+        fmt::print("\n{:<22} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}\n", "milliseconds", "a frame",
+                   "render", "present", "overlap", "cost", "frames/s");
+        for (const auto &[name, runs] : runs_) {
+            if (runs.front().error_occurred) {
+                fmt::print("{:<22} not here: {}\n", name, runs.front().error_message);
+                continue;
+            }
+            const double whole =
+                median_of(runs, [](const Run &run) { return run.GetAdjustedRealTime(); });
+            fmt::print("{:<22} {:8.2f} {:8.2f} {:8.2f} {:7.0f}% {:7.0f}% {:9.1f}\n", name, whole,
+                       counter(runs, "render"), counter(runs, "present"),
+                       100 * counter(runs, "overlap"), 100 * (1 - render_alone(name) / whole),
+                       1000 / whole);
+        }
+    }
+
+private:
+    static double counter(const std::vector<Run> &runs, const char *key) {
+        return median_of(runs, [key](const Run &run) { return run.counters.at(key).value; });
+    }
+    double render_alone(const std::string &name) const {
+        const auto naive = runs_.find(name.substr(0, name.find('/')) + "/naive");
+        return naive == runs_.end() ? std::nan("") : counter(naive->second, "render");
+    }
+
+    std::map<std::string, std::vector<Run>> runs_;
+};
+
+void register_all(const Work &work) {
+    const auto add = [&work](const std::string &way, const auto &show) {
+        benchmark::RegisterBenchmark(
+            (work.stage + "/" + way).c_str(),
+            [&work, show](benchmark::State &state) { measure(state, [&] { return show(work); }); })
+            ->UseManualTime()
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1)
+            ->Repetitions(5);
+    };
+    add("shared", [](const Work &w) { return show_on(RungName::shared, w); });
+    add("copy", [](const Work &w) { return show_on(RungName::copy, w); });
+    add("naive", [](const Work &w) { return show_naively(w); });
+}
+
+int bench(int argc, char **argv) {
+    const std::vector<Work> works{work_of("01_primitives"), work_of("07_interop")};
+    for (const Work &work : works) {
+        register_all(work);
+    }
+    {
+        const Window window(window_of(works.front()));
+        fmt::print("OpenCL: {}\nOpenGL: {}\n", device_for(window).getInfo<CL_DEVICE_NAME>(),
+                   reinterpret_cast<const char *>(glGetString(GL_RENDERER)));
+    }
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+        return exit_user_error;
+    }
+    Table table;
+    benchmark::RunSpecifiedBenchmarks(&table);
+    benchmark::Shutdown();
+    return exit_done;
+}
+
+}  // namespace
+}  // namespace stagelight
+
+int main(int argc, char **argv) {
+    return stagelight::run_main([&] { return stagelight::bench(argc, argv); });
+}
