@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 05 (triangles) and 06 (texture coordinates): what a ray
-// hits first, and what is there.
+// Introduced by stage 01; extended by 05 (triangles), 06 (texture coordinates) and 09 (a tree of
+// boxes): what a ray hits first, and what is there.
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"
 #if TRIANGLE_COUNT > 0
 #include "triangle.cl"
+#endif
+#if BVH_DEPTH > 0
+#include "bvh.cl"
 #endif
 #if HAS_TEXTURES
 #include "texture_coordinates.cl"
@@ -38,7 +41,9 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
                     i);
     }
 #endif
-#if TRIANGLE_COUNT > 0
+#if BVH_DEPTH > 0
+    closest_triangle(scene, ray, &closest);
+#elif TRIANGLE_COUNT > 0
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         float2 barycentric;
         const float distance =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 02 (materials, lights), 05 (meshes), 06 (textures):
-// the scene, as a kernel's arguments and as one struct to hand on.
+// Introduced by stage 01; extended by 02 (materials, lights), 05 (meshes), 06 (textures),
+// 09 (a tree of boxes): the scene, as a kernel's arguments and as one struct to hand on.
 //
 // The host defines SPHERE_COUNT and its like for the scene at hand. A name that it left out
 // counts as 0, and what a scene has not costs nothing: no argument, no loop, no branch.
@@ -40,6 +40,12 @@
 #define MESH_FIELDS(FIELD)
 #endif
 
+#if BVH_DEPTH > 0
+#define BVH_FIELDS(FIELD) FIELD(__global const BvhNode *, bvh_nodes)
+#else
+#define BVH_FIELDS(FIELD)
+#endif
+
 #if HAS_MESH_TEXTURES
 #define MESH_TEXTURE_FIELDS(FIELD) FIELD(__global const float2 *, vertex_texture_coordinates)
 #else
@@ -52,6 +58,7 @@
     MATERIAL_FIELDS(FIELD)  \
     LIGHT_FIELDS(FIELD)     \
     MESH_FIELDS(FIELD)      \
+    BVH_FIELDS(FIELD)       \
     MESH_TEXTURE_FIELDS(FIELD)
 // #endregion scene_fields
 

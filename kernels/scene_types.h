@@ -101,6 +101,19 @@ typedef struct Triangle {
     int material;
 } Triangle;
 
+// A box around triangles, of a leaf or of a node further down. Arrays, which need no alignment: two
+// children fill a line of 64 bytes.
+typedef struct BvhChild {
+    float low[3];
+    uint first;  // the first triangle of a leaf; of what is no leaf, the node
+    float high[3];
+    uint count;  // a leaf's triangles; 0 of what is no leaf
+} BvhChild;
+
+typedef struct BvhNode {
+    BvhChild children[2];
+} BvhNode;
+
 // How many rays of a kind were traced, and how many the depth limit dropped: one a row of
 // the picture, so that no count outgrows 32 bits and few work-items meet at one.
 typedef struct RayCounts {
@@ -123,6 +136,8 @@ static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
 static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
               && offsetof(Plane, material) == 20);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
+static_assert(sizeof(BvhNode) == 64 && offsetof(BvhChild, first) == 12
+              && offsetof(BvhChild, high) == 16 && offsetof(BvhChild, count) == 28);
 static_assert(sizeof(RayCounts) == 16);
 }  // namespace stagelight::device
 #endif

@@ -30,7 +30,7 @@ Bytes pack(const Elements &elements, Convert convert) {
 }
 
 // What the host puts behind each name in kernels/scene.cl.
-Bytes contents(const std::string &name, const Scene &scene) {
+Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     const auto convert = [](const auto &element) { return to_device(element); };
     if (name == "spheres") {
         return pack(scene.spheres, convert);
@@ -41,8 +41,15 @@ Bytes contents(const std::string &name, const Scene &scene) {
     if (name == "lights") {
         return pack(scene.lights, convert);
     }
-    if (name == "triangles") {
+    if (name == "triangles" && bvh.order.empty()) {
         return pack(scene.triangles, convert);
+    }
+    if (name == "triangles") {
+        return pack(bvh.order,
+                    [&scene](std::uint32_t index) { return to_device(scene.triangles[index]); });
+    }
+    if (name == "bvh_nodes") {
+        return pack(bvh.nodes, [](const device::BvhNode &node) { return node; });
     }
     if (name == "materials") {
         return pack(scene.materials, [&scene](const Material &material) {
@@ -87,7 +94,7 @@ std::vector<std::string> argument_names(const cl::Kernel &kernel) {
 }
 
 DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                         const Scene &scene, Transfer decode) {
+                         const Scene &scene, Transfer decode, const Bvh &bvh) {
     const std::vector<std::string> names = argument_names(kernel);
     for (cl_uint i = 0; i < names.size(); ++i) {
         const std::string &name = names[i];
@@ -97,7 +104,7 @@ DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, c
             textures_.emplace(context, device, scene, decode);
             bytes_[name] = textures_->bytes();
             kernel.setArg(i, textures_->image());
-        } else if (Bytes bytes = contents(name, scene); !bytes.empty()) {
+        } else if (Bytes bytes = contents(name, scene, bvh); !bytes.empty()) {
             require_room(device, name, bytes.size(), scene);
             bytes_[name] = bytes.size();
             buffers_[name] = cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "device/bvh.h"
 #include "device/opencl.h"
 #include "device/texture_array.h"
 #include "scene/scene.h"
@@ -16,9 +17,10 @@ namespace stagelight {
 class DeviceScene {
 public:
     // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl), by its name.
-    // Texels are decoded by `decode`. Throws as TextureArray does.
+    // Texels are decoded by `decode`; triangles lie in the order of `bvh` if it has any. Throws as
+    // TextureArray does.
     DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                const Scene &scene, Transfer decode = Transfer::none);
+                const Scene &scene, Transfer decode = Transfer::none, const Bvh &bvh = {});
 
     // Whether that argument of the kernel is part of the scene, and was set.
     bool has_set(const std::string &name) const {

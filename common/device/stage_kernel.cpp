@@ -13,6 +13,8 @@
 namespace stagelight {
 namespace {
 
+constexpr int acceleration_stage = 9;
+
 constexpr int group_width = 8;
 constexpr int group_height = 8;
 
@@ -100,8 +102,12 @@ device::float2 sample_point(int index, int count) {
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
-    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)),
-      options_(build_options(needs_, settings.methods)) {
+    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)) {
+    const Bvh bvh = stage_number(stage) >= acceleration_stage ? build_bvh(scene) : Bvh();
+    if (bvh.depth > 0) {
+        needs_.emplace_back("BVH_DEPTH", bvh.depth);
+    }
+    options_ = build_options(needs_, settings.methods);
     if (picture == Picture::image) {
         options_ += " -D PICTURE_IS_IMAGE=1";
     }
@@ -111,7 +117,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     build_milliseconds_ =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     scene_.emplace(context, device, kernel_, scene,
-                   decode_of(stage_number(stage), settings.methods));
+                   decode_of(stage_number(stage), settings.methods), bvh);
     learn_arguments();
     if (settings.split && scene_->textures()) {
         plain_textures_.emplace(context, device, scene, Transfer::none);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "device/bvh.h"
 #include "render/on_each_device.h"
 #include "scene/lessons.h"
 #include "scene/scene_file.h"
@@ -54,6 +55,7 @@ Sizes sizes_of(const Scene &scene, const Names &parts) {
                 {"materials", scene.materials.size() * 64},
                 {"lights", scene.lights.size() * 64},
                 {"triangles", scene.triangles.size() * 16},
+                {"bvh_nodes", build_bvh(scene).nodes.size() * 64},
                 {"vertex_positions", vertices * 16},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
@@ -101,7 +103,9 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"05_meshes", shaded + mesh + Names{"planes", "lights"}},
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
-                                                    "vertex_texture_coordinates"}}),
+                                                    "vertex_texture_coordinates"}},
+            DefaultScene{"09_acceleration",
+                         shaded + mesh + Names{"spheres", "planes", "lights", "bvh_nodes"}}),
         each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param).stage + "_" + std::get<1>(scene.param);
@@ -174,7 +178,8 @@ TEST_P(Earlier, ScenesAreDrawnWithoutWhatTheyHaveNot) {
 INSTANTIATE_TEST_SUITE_P(
     Stages, Earlier,
     testing::Combine(testing::Values("01_primitives", "02_shading_shadows", "03_reflection_glossy",
-                                     "04_refraction_beer", "05_meshes", "06_textures"),
+                                     "04_refraction_beer", "05_meshes", "06_textures", "08_gamma",
+                                     "09_acceleration"),
                      each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param) + "_" + std::get<1>(scene.param);
