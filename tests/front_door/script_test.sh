@@ -62,7 +62,7 @@ test_help_names_each_command() {
         # shellcheck disable=SC2086 # no argument at all is one of the cases
         stagelight $arguments
         expect_equal "exit code of '$arguments'" 0 $code
-        for command in run test golden doctor help; do
+        for command in run test golden bench doctor help; do
             expect_text "'$arguments' names $command" $'\n'"  $command" "$output"
         done
     done
@@ -141,6 +141,42 @@ test_golden_passes_everything() {
     stagelight golden update 04_last --reason "a new lamp"
     expect_equal "exit code is the program's" 7 $code
     expect_equal "output" "golden in $scratch: 'update' '04_last' '--reason' 'a new lamp'" "$output"
+}
+
+# The benchmark tells where it runs. There is no display but what a fake Xvfb offers.
+make_bench() {
+    # shellcheck disable=SC2016 # expanded by the fakes
+    fake cmake '
+        if [[ $1 == --build ]]; then
+            mkdir -p "$2/tools"
+            printf "#!/bin/bash\necho \"on \$DISPLAY, \${OPENCL_LAYERS##*/}: \$*\"\n" >"$2/tools/bench_interop"
+            /bin/chmod +x "$2/tools/bench_interop"
+        fi'
+    fake Xvfb "echo \$\$ >$scratch/xvfb; echo 42; exec /bin/sleep 20"
+    unset WAYLAND_DISPLAY OPENCL_LAYERS
+}
+
+test_bench_takes_the_display_that_there_is() {
+    make_bench
+    DISPLAY=:7 stagelight bench interop --fast
+    expect_equal "exit code" 0 $code
+    expect_equal "output" "on :7, stagelight_gl_sharing.so: --fast" "$output"
+    expect_equal "calls of Xvfb" "" "$(calls Xvfb)"
+}
+
+test_bench_without_a_display_starts_one_and_ends_it() {
+    make_bench
+    DISPLAY='' stagelight bench interop
+    expect_equal "exit code" 0 $code
+    expect_equal "output" "on :42, stagelight_gl_sharing.so: " "$output"
+    sleep 0.2
+    ! kill -0 "$(<"$scratch/xvfb")" 2>/dev/null || fail "Xvfb is still there"
+}
+
+test_bench_of_nothing_known() {
+    stagelight bench speed
+    expect_equal "exit code" 2 $code
+    expect_equal "message" "stagelight: bench 'speed': expected interop" "$errors"
 }
 
 test_failed_build_shows_the_compiler() {
