@@ -19,7 +19,7 @@ constexpr std::uint32_t most_in_leaf = 8;
 constexpr std::uint32_t parallel_from =
     4096;  // triangles; below, a thread costs more than it saves
 constexpr int bin_count = 16;
-constexpr float traversal_cost = 1.5F;  // of a node, in intersections of a triangle: measured
+constexpr float traversal_cost = 1.5F;  // of a node, in triangles; 0.5 to 3 are as fast, measured
 constexpr int deepest_by_cost = 32;     // then halves, so that the depth stays bounded
 
 struct Box {
