@@ -62,10 +62,10 @@ ordered_json methods_json(int stage, const Methods &chosen) {
 }
 
 double median_of(const std::vector<FrameTimes> &frames, Interval FrameTimes::*interval) {
-    std::vector<double> lengths;
-    for (const FrameTimes &frame : frames) {
-        lengths.push_back((frame.*interval).length());
-    }
+    std::vector<double> lengths(frames.size());
+    std::ranges::transform(frames, lengths.begin(), [interval](const FrameTimes &frame) {
+        return (frame.*interval).length();
+    });
     return median(lengths);
 }
 

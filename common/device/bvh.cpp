@@ -83,7 +83,8 @@ public:
             return {};
         }
         const Range all{0, static_cast<std::uint32_t>(boxes_.size())};
-        const int levels_of_threads = std::bit_width(std::thread::hardware_concurrency());
+        const auto levels_of_threads =
+            static_cast<int>(std::bit_width(std::thread::hardware_concurrency()));
         const Part root = divide(all, 0, levels_of_threads);
         if (root.branch == 0) {
             Part nothing;  // nowhere: low and high the wrong way round would be a box around all

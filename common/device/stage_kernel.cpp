@@ -15,11 +15,11 @@ namespace {
 
 constexpr int acceleration_stage = 9;
 
-constexpr int group_width = 8;
-constexpr int group_height = 8;
+constexpr std::size_t group_width = 8;
+constexpr std::size_t group_height = 8;
 
-std::size_t round_up(int size, int multiple) {
-    return static_cast<std::size_t>((size + multiple - 1) / multiple * multiple);
+std::size_t round_up(int size, std::size_t multiple) {
+    return (static_cast<std::size_t>(size) + multiple - 1) / multiple * multiple;
 }
 
 cl::Kernel render_kernel(const cl::Program &program) {

@@ -44,12 +44,13 @@ std::vector<cl::Device> ask(clGetGLContextInfoKHR_fn get_info, const Properties 
     std::vector<cl_device_id> ids(all_devices().size());
     std::size_t size = 0;
     const cl_int error =
-        get_info(properties.data(), what, ids.size() * sizeof ids[0], ids.data(), &size);
+        get_info(properties.data(), what, ids.size() * sizeof(cl_device_id), ids.data(), &size);
     if (error != CL_SUCCESS) {
         throw RungLost(fmt::format("clGetGLContextInfoKHR failed with error {}", error));
     }
-    ids.resize(size / sizeof ids[0]);
+    ids.resize(size / sizeof(cl_device_id));
     std::vector<cl::Device> devices;
+    devices.reserve(ids.size());
     for (cl_device_id id : ids) {
         devices.emplace_back(id, true);
     }

@@ -38,7 +38,7 @@ std::string version_found(const WindowSettings &settings) {
     }
     glfwMakeContextCurrent(window);
     const GLubyte *text = glGetString(GL_VERSION);
-    const std::string version = text ? reinterpret_cast<const char *>(text) : "none";
+    std::string version = text ? reinterpret_cast<const char *>(text) : "none";
     glfwDestroyWindow(window);
     return version;
 }
