@@ -72,8 +72,8 @@ protected:
         FramePipeline pipeline(choose_device("pthread"), window.api(), stage, scene, settings,
                                {RungName::copy}, TextureFormat::rgba32f);
         Viewer viewer(window, pipeline, stage, scene, view);
+        Person person(folder.path());  // before the first frame gives the window another title
         std::jthread beside([&] {
-            Person person(folder.path());
             person.settle();
             actions(person);
             leave(person);
