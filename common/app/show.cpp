@@ -2,7 +2,6 @@
 #include "app/show.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -31,17 +30,9 @@ void require_outputs(const Options &options) {
     }
 }
 
-// The user's; else, where one can share with the window, that one.
 cl::Device device_for(const Window &window, const Options &options) {
-    const char *from_environment = std::getenv("STAGELIGHT_DEVICE");
-    const bool named =
-        !options.device.empty() || (from_environment != nullptr && *from_environment != '\0');
-    if (!named && options.display == Display::shared) {
-        if (const std::optional<cl::Device> device = device_of_gl_context(window.api())) {
-            return *device;
-        }
-    }
-    return choose_device(options.device);
+    return options.display == Display::shared ? device_to_share(options.device, window.api())
+                                              : choose_device(options.device);
 }
 
 WindowSettings window_of(const std::string &stage, const Options &options,
@@ -114,7 +105,6 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
 Shown show(const std::string &stage, const Options &options, const Scene &scene,
            const RenderSettings &settings) {
     require_outputs(options);
-    std::string reason;
     std::optional<Window> window;
     try {
         window.emplace(window_of(stage, options, settings));

@@ -61,14 +61,6 @@ ordered_json methods_json(int stage, const Methods &chosen) {
     return json;
 }
 
-double median_of(const std::vector<FrameTimes> &frames, Interval FrameTimes::*interval) {
-    std::vector<double> lengths(frames.size());
-    std::ranges::transform(frames, lengths.begin(), [interval](const FrameTimes &frame) {
-        return (frame.*interval).length();
-    });
-    return median(lengths);
-}
-
 // The last frames: from when to when each was rendered and presented, milliseconds.
 ordered_json timeline_json(const std::vector<FrameTimes> &frames) {
     constexpr std::size_t most = 8;
@@ -89,8 +81,10 @@ ordered_json display_json(const DisplayFigures &display) {
         json["api"] = display.api;
         json["color_bits"] = display.color_bits;
         json["framebuffer"] = {display.width, display.height};
-        json["render_median"] = median_of(display.frames, &FrameTimes::render);
-        json["present_median"] = median_of(display.frames, &FrameTimes::present);
+        json["render_median"] = median_of(
+            display.frames, [](const FrameTimes &frame) { return frame.render.length(); });
+        json["present_median"] = median_of(
+            display.frames, [](const FrameTimes &frame) { return frame.present.length(); });
         json["overlap"] = overlap_of(display.frames);
         json["timeline"] = timeline_json(display.frames);
     }

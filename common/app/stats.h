@@ -2,11 +2,13 @@
 // What a run has cost, as JSON.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device/stage_kernel.h"
@@ -49,5 +51,12 @@ double overlap_of(const std::vector<FrameTimes> &frames);
 
 // The middle one; the mean of the middle two.
 double median(std::vector<double> values);
+
+// That of what `figure` says of each element.
+double median_of(const auto &elements, const auto &figure) {
+    std::vector<double> values(elements.size());
+    std::ranges::transform(elements, values.begin(), figure);
+    return median(std::move(values));
+}
 
 }  // namespace stagelight

@@ -16,8 +16,7 @@ namespace stagelight {
 namespace {
 
 constexpr std::uint32_t most_in_leaf = 8;
-constexpr std::uint32_t parallel_from =
-    4096;  // triangles; below, a thread costs more than it saves
+constexpr std::uint32_t parallel_from = 4096;  // triangles: a thread for fewer costs more
 constexpr int bin_count = 16;
 constexpr float traversal_cost = 1.5F;  // of a node, in triangles; 0.5 to 3 are as fast, measured
 constexpr int deepest_by_cost = 32;     // then halves, so that the depth stays bounded
@@ -34,6 +33,7 @@ struct Box {
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
     }
+    glm::vec3 center() const { return 0.5F * low + 0.5F * high; }  // low + high may overflow
     float half_area() const {
         const glm::vec3 size = high - low;
         return size.x < 0 ? 0 : size.x * size.y + size.y * size.z + size.z * size.x;
@@ -90,6 +90,7 @@ public:
             Part nothing;  // nowhere: low and high the wrong way round would be a box around all
             nothing.box.high = nothing.box.low;
             bvh_.nodes.push_back({{child(root, 1), child(nothing, 1)}});
+            bvh_.depth = 1;
         } else {
             emit(root.branch, 1);
         }
@@ -97,10 +98,7 @@ public:
     }
 
 private:
-    glm::vec3 centroid(std::uint32_t place) const {
-        const Box &box = boxes_[bvh_.order[place]];
-        return 0.5F * box.low + 0.5F * box.high;  // each half, or the sum may overflow
-    }
+    glm::vec3 centroid(std::uint32_t place) const { return boxes_[bvh_.order[place]].center(); }
 
     Box bounds(const Range &range) const {
         Box box;
@@ -177,9 +175,9 @@ private:
             return halve(range, centroids);
         }
         const auto middle = std::partition(begin, end, [&](std::uint32_t triangle) {
-            const Box &b = boxes_[triangle];
-            const float c = 0.5F * b.low[best.axis] + 0.5F * b.high[best.axis];
-            return bin_of(c, centroids.low[best.axis], centroids.high[best.axis]) <= best.bin;
+            return bin_of(boxes_[triangle].center()[best.axis], centroids.low[best.axis],
+                          centroids.high[best.axis])
+                   <= best.bin;
         });
         return static_cast<std::uint32_t>(middle - bvh_.order.begin());
     }
@@ -193,8 +191,8 @@ private:
         const auto at = [this](std::uint32_t place) { return bvh_.order.begin() + place; };
         std::nth_element(at(range.begin), at(middle), at(range.end),
                          [&](std::uint32_t a, std::uint32_t b) {
-                             const float of_a = boxes_[a].low[axis] + boxes_[a].high[axis];
-                             const float of_b = boxes_[b].low[axis] + boxes_[b].high[axis];
+                             const float of_a = boxes_[a].center()[axis];
+                             const float of_b = boxes_[b].center()[axis];
                              return of_a < of_b || (of_a == of_b && a < b);
                          });
         return middle;
@@ -231,7 +229,6 @@ private:
 
     device::BvhChild child(const Part &part, int depth) {
         const bool is_leaf = part.branch == 0;
-        bvh_.depth = std::max(bvh_.depth, depth);
         const glm::vec3 &low = part.box.low;
         const glm::vec3 &high = part.box.high;
         return {{low.x, low.y, low.z},

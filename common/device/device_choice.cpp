@@ -100,14 +100,17 @@ std::string list_devices() {
     return list;
 }
 
+std::string named_device(const std::string &spec) {
+    const char *from_environment = std::getenv("STAGELIGHT_DEVICE");
+    return spec.empty() && from_environment != nullptr ? from_environment : spec;
+}
+
 cl::Device choose_device(const std::string &spec) {
     const std::vector<cl::Device> devices = all_devices();
     if (devices.empty()) {
         throw MachineError(no_device_remedy);
     }
-    const char *from_environment = std::getenv("STAGELIGHT_DEVICE");
-    const std::string wanted =
-        spec.empty() && from_environment != nullptr ? from_environment : spec;
+    const std::string wanted = named_device(spec);
     if (wanted.empty()) {
         return first_of_type(devices, CL_DEVICE_TYPE_GPU).value_or(devices.front());
     }

@@ -15,6 +15,9 @@ std::vector<cl::Device> all_devices();
 // "0: NAME (PLATFORM, VERSION)", a line each; what to install when there is none.
 std::string list_devices();
 
+// `spec`, or where it is empty STAGELIGHT_DEVICE; empty where nobody names a device.
+std::string named_device(const std::string &spec);
+
 // The device that `spec` stands for: an index, "cpu", "gpu" or a part of its name (upper and
 // lower case are one). An empty spec means STAGELIGHT_DEVICE, and where that is empty too,
 // the first GPU, else the first device. Throws MachineError with the list of those there are.

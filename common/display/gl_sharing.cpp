@@ -103,6 +103,12 @@ std::optional<cl::Device> device_of_gl_context(ContextApi api) {
     return std::nullopt;
 }
 
+cl::Device device_to_share(const std::string &spec, ContextApi api) {
+    const std::optional<cl::Device> sharing =
+        named_device(spec).empty() ? device_of_gl_context(api) : std::nullopt;
+    return sharing ? *sharing : choose_device(spec);
+}
+
 cl::Context shared_context(const cl::Device &device, ContextApi api) {
     if (!has_extension(device, "cl_khr_gl_sharing")) {
         throw RungLost(device.getInfo<CL_DEVICE_NAME>() + " has no cl_khr_gl_sharing");

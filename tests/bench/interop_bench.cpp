@@ -48,8 +48,7 @@ WindowSettings window_of(const Work &work) {
 }
 
 cl::Device device_for(const Window &window) {
-    const std::optional<cl::Device> device = device_of_gl_context(window.api());
-    return device ? *device : choose_device("");
+    return device_to_share("", window.api());
 }
 
 // The first frame waits for what the drivers put off until they are used.
@@ -107,12 +106,6 @@ std::vector<FrameTimes> show_naively(const Work &work) {
     return without_first(frames);
 }
 // #endregion naive
-
-double median_of(const auto &elements, const auto &figure) {
-    std::vector<double> values;
-    std::ranges::transform(elements, std::back_inserter(values), figure);
-    return median(values);
-}
 
 template <typename Show> void measure(benchmark::State &state, const Show &show) {
     std::vector<FrameTimes> frames;
