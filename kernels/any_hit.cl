@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02; extended by 05 (triangles) and 09 (a tree of boxes): whether anything is in the way. The
-// first thing found will do, so this is cheaper than the closest hit.
+// Introduced by stage 02; extended by 05 (triangles): whether anything is in the way. The first
+// thing found will do, so this is cheaper than the closest hit.
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"
 #if TRIANGLE_COUNT > 0
 #include "triangle.cl"
-#endif
-#if BVH_DEPTH > 0
-#include "bvh.cl"
 #endif
 
 // #region any_hit
@@ -30,14 +27,10 @@ static bool any_hit_ray(const Scene *scene, const Ray ray) {
         }
     }
 #endif
-#if BVH_DEPTH > 0
-    if (any_triangle(scene, ray, INFINITY)) {
-        return true;
-    }
-#elif TRIANGLE_COUNT > 0
+#if TRIANGLE_COUNT > 0
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         float2 barycentric;
-        if (intersect_ray_triangle(ray, triangle_positions(scene, i), &barycentric) < INFINITY) {
+        if (intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric) < INFINITY) {
             return true;
         }
     }
@@ -64,14 +57,9 @@ static bool any_hit_line(const Scene *scene, const Line line) {
         }
     }
 #endif
-#if BVH_DEPTH > 0
-    const Ray ray = {line.origin, line.destination - line.origin};
-    if (any_triangle(scene, ray, 1.0f)) {
-        return true;
-    }
-#elif TRIANGLE_COUNT > 0
+#if TRIANGLE_COUNT > 0
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
-        if (intersect_line_triangle(line, triangle_positions(scene, i))) {
+        if (intersect_line_triangle(line, triangle_edges(scene, i))) {
             return true;
         }
     }

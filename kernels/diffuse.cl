@@ -2,6 +2,7 @@
 // Introduced by stage 02: diffuse shading, the light that a surface gets straight from lights.
 #include "light.cl"
 #include "ray_counts.cl"
+#include "shadow.cl"
 
 // #region direct_light
 // The sum over the lights that the point sees, of Lambert's cosine times irradiance (the 1/pi of

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02: how much light arrives at a point, and whether it does.
-#include "any_hit.cl"
+// Introduced by stage 02: how much light arrives at a point, if it does.
+#include "scene.cl"
 
 // #region light_at
 typedef struct Illumination {
@@ -30,9 +30,20 @@ static Illumination directional_light_at(const Light light) {
 #endif
 
 #if LIGHT_COUNT > 0
+// Known beforehand where the scene has lights of one kind.
+static bool is_point(const Light light) {
+#if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
+    return light.type == LIGHT_POINT;
+#elif HAS_POINT_LIGHT
+    return true;
+#else
+    return false;
+#endif
+}
+
 static Illumination light_at(const Light light, const float3 position) {
 #if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
-    return light.type == LIGHT_POINT ? point_light_at(light, position)
+    return is_point(light) ? point_light_at(light, position)
                                      : directional_light_at(light);
 #elif HAS_POINT_LIGHT
     return point_light_at(light, position);
@@ -42,24 +53,3 @@ static Illumination light_at(const Light light, const float3 position) {
 }
 #endif
 // #endregion light_at
-
-// #region in_shadow
-// A point light is at the end of a line: what stands behind it casts no shadow. A
-// directional light has no place, and its shadow ray no end.
-#if LIGHT_COUNT > 0
-static bool in_shadow(const Scene *scene, const Light light, const float3 origin) {
-#if HAS_POINT_LIGHT
-    if (light.type == LIGHT_POINT) {
-        const Line line = {origin, light.as.point.position.xyz};
-        return any_hit_line(scene, line);
-    }
-#endif
-#if HAS_DIRECTIONAL_LIGHT
-    const Ray ray = {origin, -light.as.directional.direction.xyz};
-    return any_hit_ray(scene, ray);
-#else
-    return false;
-#endif
-}
-#endif
-// #endregion in_shadow

@@ -20,16 +20,27 @@ typedef struct RayStack {
     int count;
 } RayStack;
 
-static void start_stack(RayStack *stack, const Ray primary) {
-    PendingRay ray;
-    ray.ray = primary;
-    ray.weight = (float3)(1.0f);
-    ray.depth = 0;
+static PendingRay primary_ray(const Ray ray) {
+    PendingRay primary;
+    primary.ray = ray;
+    primary.weight = (float3)(1.0f);
+    primary.depth = 0;
 #if HAS_DIELECTRIC
-    ray.absorption = (float3)(0.0f);
+    primary.absorption = (float3)(0.0f);
 #endif
-    stack->rays[0] = ray;
-    stack->count = 1;
+    return primary;
+}
+
+// Member by member: the compiler of Mesa 22.3.6 loses a struct within a struct that is put into an
+// array as a whole.
+static void copy_pending(PendingRay *to, const PendingRay *from) {
+    to->ray.origin = from->ray.origin;
+    to->ray.direction = from->ray.direction;
+    to->weight = from->weight;
+    to->depth = from->depth;
+#if HAS_DIELECTRIC
+    to->absorption = from->absorption;
+#endif
 }
 
 // A ray beyond the depth limit is not traced, but it is counted.
@@ -38,7 +49,7 @@ static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, uint *
         ++*dropped;
     } else {
         ++*traced;
-        stack->rays[stack->count++] = ray;
+        copy_pending(&stack->rays[stack->count++], &ray);
     }
 }
 // #endregion ray_stack

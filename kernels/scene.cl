@@ -32,18 +32,21 @@
 #endif
 
 #if TRIANGLE_COUNT > 0
-#define MESH_FIELDS(FIELD)                           \
-    FIELD(__global const Triangle *, triangles)      \
-    FIELD(__global const float4 *, vertex_positions) \
+#define MESH_FIELDS(FIELD)                      \
+    FIELD(__global const Triangle *, triangles) \
     FIELD(__global const float4 *, vertex_normals)
 #else
 #define MESH_FIELDS(FIELD)
 #endif
 
-#if BVH_DEPTH > 0
-#define BVH_FIELDS(FIELD) FIELD(__global const BvhNode *, bvh_nodes)
+#if BVH_WIDTH > 0
+#define CORNER_FIELDS(FIELD)                  \
+    FIELD(__global const Facet *, facets) \
+    FIELD(__global const BvhNode *, bvh_nodes)
+#elif TRIANGLE_COUNT > 0
+#define CORNER_FIELDS(FIELD) FIELD(__global const float4 *, vertex_positions)
 #else
-#define BVH_FIELDS(FIELD)
+#define CORNER_FIELDS(FIELD)
 #endif
 
 #if HAS_MESH_TEXTURES
@@ -58,7 +61,7 @@
     MATERIAL_FIELDS(FIELD)  \
     LIGHT_FIELDS(FIELD)     \
     MESH_FIELDS(FIELD)      \
-    BVH_FIELDS(FIELD)       \
+    CORNER_FIELDS(FIELD)    \
     MESH_TEXTURE_FIELDS(FIELD)
 // #endregion scene_fields
 

@@ -101,18 +101,21 @@ typedef struct Triangle {
     int material;
 } Triangle;
 
-// A box around triangles, of a leaf or of a node further down. Arrays, which need no alignment: two
-// children fill a line of 64 bytes.
-typedef struct BvhChild {
-    float low[3];
-    uint first;  // the first triangle of a leaf; of what is no leaf, the node
-    float high[3];
-    uint count;  // a leaf's triangles; 0 of what is no leaf
-} BvhChild;
+// Where a triangle is, from stage 09 on: its first corner and the ways from there to the others.
+typedef struct Facet {
+    float corner[3];
+    float edge_b[3];
+    float edge_c[3];
+} Facet;
 
+#if BVH_WIDTH > 0
+// Boxes around triangles, side by side, so that all are tried at once.
 typedef struct BvhNode {
-    BvhChild children[2];
+    float planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
+    uint first[BVH_WIDTH];       // of a leaf, the first of its triangles; else the child's node
+    uint count[BVH_WIDTH];       // of a leaf, how many triangles it has; else 0
 } BvhNode;
+#endif
 
 // How many rays of a kind were traced, and how many the depth limit dropped: one a row of
 // the picture, so that no count outgrows 32 bits and few work-items meet at one.
@@ -136,8 +139,8 @@ static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
 static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
               && offsetof(Plane, material) == 20);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
-static_assert(sizeof(BvhNode) == 64 && offsetof(BvhChild, first) == 12
-              && offsetof(BvhChild, high) == 16 && offsetof(BvhChild, count) == 28);
+static_assert(sizeof(Facet) == 36 && offsetof(Facet, edge_b) == 12
+              && offsetof(Facet, edge_c) == 24);
 static_assert(sizeof(RayCounts) == 16);
 }  // namespace stagelight::device
 #endif

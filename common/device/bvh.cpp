@@ -18,8 +18,11 @@ namespace {
 constexpr std::uint32_t most_in_leaf = 8;
 constexpr std::uint32_t parallel_from = 4096;  // triangles: a thread for fewer costs more
 constexpr int bin_count = 16;
-constexpr float traversal_cost = 1.5F;  // of a node, in triangles; 0.5 to 3 are as fast, measured
-constexpr int deepest_by_cost = 32;     // then halves, so that the depth stays bounded
+constexpr float traversal_cost = 1;  // of a node, in triangles: 0.5 to 1.5 are as good
+constexpr int deepest_by_cost = 32;  // then halves, so that the depth stays bounded
+
+// Of the largest coordinate: how far boxes are grown on every side (kernels/bvh.cl, "slab").
+constexpr float room_for_rounding = 2.3841858e-7F;
 
 struct Box {
     glm::vec3 low{std::numeric_limits<float>::infinity()};
@@ -67,7 +70,8 @@ struct Branch {
 
 class Builder {
 public:
-    explicit Builder(const Scene &scene) : boxes_(scene.triangles.size()) {
+    Builder(const Scene &scene, int width) : boxes_(scene.triangles.size()) {
+        bvh_.width = width;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             for (const std::uint32_t vertex : scene.triangles[i].vertices) {
                 boxes_[i].add(glm::vec3(scene.vertices[vertex].position));
@@ -86,14 +90,9 @@ public:
         const auto levels_of_threads =
             static_cast<int>(std::bit_width(std::thread::hardware_concurrency()));
         const Part root = divide(all, 0, levels_of_threads);
-        if (root.branch == 0) {
-            Part nothing;  // nowhere: low and high the wrong way round would be a box around all
-            nothing.box.high = nothing.box.low;
-            bvh_.nodes.push_back({{child(root, 1), child(nothing, 1)}});
-            bvh_.depth = 1;
-        } else {
-            emit(root.branch, 1);
-        }
+        const glm::vec3 largest = glm::max(glm::abs(root.box.low), glm::abs(root.box.high));
+        room_ = room_for_rounding * std::max({largest.x, largest.y, largest.z});
+        emit(children_of(root), 1);
         return std::move(bvh_);
     }
 
@@ -216,27 +215,56 @@ private:
         return part;
     }
 
-    // Depth first, so that what is walked together lies together.
-    std::uint32_t emit(std::uint32_t branch, int depth) {
-        bvh_.depth = std::max(bvh_.depth, depth);
-        const auto index = static_cast<std::uint32_t>(bvh_.nodes.size());
-        bvh_.nodes.emplace_back();
-        const device::BvhChild left = child(branches_[branch].left, depth);
-        const device::BvhChild right = child(branches_[branch].right, depth);
-        bvh_.nodes[index] = {{left, right}};
-        return index;
+    // Its two children; then, while there is room, the largest that is no leaf gives way to its own
+    // two.
+    std::vector<Part> children_of(const Part &part) const {
+        std::vector<Part> children{part};
+        while (children.size() < std::size_t(bvh_.width)) {
+            const auto largest = std::ranges::max_element(children, {}, [](const Part &child) {
+                return child.branch == 0 ? -1.0F : child.box.half_area();
+            });
+            if (largest->branch == 0) {
+                break;
+            }
+            const Branch &branch = branches_[largest->branch];
+            *largest = branch.left;
+            children.insert(largest + 1, branch.right);
+        }
+        return children;
     }
 
-    device::BvhChild child(const Part &part, int depth) {
-        const bool is_leaf = part.branch == 0;
-        const glm::vec3 &low = part.box.low;
-        const glm::vec3 &high = part.box.high;
-        return {{low.x, low.y, low.z},
-                is_leaf ? part.range.begin : emit(part.branch, depth + 1),
-                {high.x, high.y, high.z},
-                is_leaf ? part.range.size() : 0};
+    // Depth first, so that what is walked together lies together. When it is taken up, `waiting`
+    // nodes are left, itself among them.
+    std::uint32_t emit(const std::vector<Part> &children, int waiting) {
+        bvh_.stack_size = std::max(bvh_.stack_size, waiting);
+        const std::size_t node = bvh_.nodes.size();
+        bvh_.nodes.resize(node + 8 * std::size_t(bvh_.width));
+        const auto is_inner = [](const Part &child) { return child.branch != 0; };
+        const auto inner = static_cast<int>(std::ranges::count_if(children, is_inner));
+        for (std::size_t i = 0; i < std::size_t(bvh_.width); ++i) {
+            // In the place of one that is missing, a box that no ray meets.
+            const Part child = i < children.size() ? children[i] : Part{{}, {0, 1}, 0};
+            const std::uint32_t first =
+                is_inner(child) ? emit(children_of(child), waiting - 1 + inner) : child.range.begin;
+            put_child(node + i, child, first);
+        }
+        return static_cast<std::uint32_t>(node / (8 * std::size_t(bvh_.width)));
     }
 
+    void put_child(std::size_t place, const Part &child, std::uint32_t first) {
+        const auto row = [&](std::size_t index) -> std::uint32_t & {
+            return bvh_.nodes[place + index * std::size_t(bvh_.width)];
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto index = static_cast<std::size_t>(axis);
+            row(index) = std::bit_cast<std::uint32_t>(child.box.low[axis] - room_);
+            row(index + 3) = std::bit_cast<std::uint32_t>(child.box.high[axis] + room_);
+        }
+        row(6) = first;
+        row(7) = child.branch == 0 ? child.range.size() : 0;
+    }
+
+    float room_ = 0;
     std::vector<Box> boxes_;
     std::vector<Branch> branches_;
     Bvh bvh_;
@@ -244,8 +272,8 @@ private:
 
 }  // namespace
 
-Bvh build_bvh(const Scene &scene) {
-    return Builder(scene).build();
+Bvh build_bvh(const Scene &scene, int width) {
+    return Builder(scene, width).build();
 }
 
 }  // namespace stagelight

@@ -29,6 +29,18 @@ Bytes pack(const Elements &elements, Convert convert) {
     return bytes;
 }
 
+// Rounded to float as the vertices are, and then subtracted: as kernels/triangle.cl does.
+device::Facet facet_of(const Scene &scene, std::uint32_t index) {
+    const auto &vertices = scene.triangles[index].vertices;
+    const auto corner = [&](std::size_t i) {
+        return glm::vec3(scene.vertices[vertices[i]].position);
+    };
+    const glm::vec3 a = corner(0);
+    const glm::vec3 b = corner(1) - a;
+    const glm::vec3 c = corner(2) - a;
+    return {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
+}
+
 // What the host puts behind each name in kernels/scene.cl.
 Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     const auto convert = [](const auto &element) { return to_device(element); };
@@ -48,8 +60,11 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
         return pack(bvh.order,
                     [&scene](std::uint32_t index) { return to_device(scene.triangles[index]); });
     }
+    if (name == "facets") {
+        return pack(bvh.order, [&scene](std::uint32_t index) { return facet_of(scene, index); });
+    }
     if (name == "bvh_nodes") {
-        return pack(bvh.nodes, [](const device::BvhNode &node) { return node; });
+        return pack(bvh.nodes, [](std::uint32_t word) { return word; });
     }
     if (name == "materials") {
         return pack(scene.materials, [&scene](const Material &material) {

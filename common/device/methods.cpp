@@ -21,6 +21,15 @@ const std::vector<Method> &all_methods() {
         {"decode", "2.2", gamma_stage, "", "the paper, section 8: texels are light to 1 / 2.2"},
         {"encode", "srgb", gamma_stage, "", "IEC 61966-2-1: the picture is for an sRGB screen"},
         {"encode", "2.2", gamma_stage, "", "the paper, section 8: light to 1 / 2.2"},
+        {"width", "device", acceleration_stage, "",
+         "rays side by side in a work-item: 1 on a GPU, else the width that the device prefers"},
+        {"width", "1", acceleration_stage, "", "one ray in a work-item"},
+        {"width", "4", acceleration_stage, "", "2x2 rays side by side"},
+        {"width", "8", acceleration_stage, "", "4x2 rays side by side"},
+        {"width", "16", acceleration_stage, "", "4x4 rays side by side"},
+        {"nodes", "4", acceleration_stage, "", "four children to a node of the tree"},
+        {"nodes", "2", acceleration_stage, "", "two children to a node of the tree"},
+        {"nodes", "8", acceleration_stage, "", "eight children to a node of the tree"},
     };
     return methods;
 }
@@ -42,8 +51,7 @@ Transfer transfer_of(const char *kind, int stage, const Methods &methods) {
     if (stage < gamma_stage) {
         return Transfer::none;
     }
-    const auto chosen = methods.find(kind);
-    return chosen != methods.end() && chosen->second == "2.2" ? Transfer::power : Transfer::srgb;
+    return choice(methods, kind) == "2.2" ? Transfer::power : Transfer::srgb;
 }
 
 }  // namespace
@@ -52,6 +60,12 @@ std::vector<Method> methods_of(int stage) {
     std::vector<Method> methods = all_methods();
     std::erase_if(methods, [stage](const Method &method) { return method.first_stage > stage; });
     return methods;
+}
+
+std::string choice(const Methods &methods, const std::string &kind) {
+    const auto chosen = methods.find(kind);
+    return chosen != methods.end() ? chosen->second
+                                   : std::ranges::find(all_methods(), kind, &Method::kind)->name;
 }
 
 void choose_method(Methods &methods, const std::string &choice, int stage) {
@@ -70,8 +84,7 @@ void choose_method(Methods &methods, const std::string &choice, int stage) {
 std::vector<std::string> defines_of(const Methods &methods) {
     std::vector<std::string> defines;
     for (const Method &method : all_methods()) {
-        const auto chosen = methods.find(method.kind);
-        if (chosen != methods.end() && chosen->second == method.name && !method.define.empty()) {
+        if (!method.define.empty() && choice(methods, method.kind) == method.name) {
             defines.push_back(method.define);
         }
     }

@@ -12,6 +12,8 @@ namespace stagelight {
 
 // The first stage that decodes textures and encodes what it shows.
 constexpr int gamma_stage = 8;
+// The first that has a tree of boxes, and traces rays side by side.
+constexpr int acceleration_stage = 9;
 
 struct Method {
     std::string kind;
@@ -26,6 +28,9 @@ std::vector<Method> methods_of(int stage);
 
 // What was chosen, by kind; a kind that is missing stands for its default.
 using Methods = std::map<std::string, std::string>;
+
+// The name that was chosen for a kind, or its default.
+std::string choice(const Methods &methods, const std::string &kind);
 
 // Adds a choice "KIND=NAME". Throws UserError with the list of what `stage` has, or with the first
 // stage that has the choice.

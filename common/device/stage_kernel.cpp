@@ -13,13 +13,27 @@
 namespace stagelight {
 namespace {
 
-constexpr int acceleration_stage = 9;
-
 constexpr std::size_t group_width = 8;
 constexpr std::size_t group_height = 8;
 
-std::size_t round_up(int size, std::size_t multiple) {
-    return (static_cast<std::size_t>(size) + multiple - 1) / multiple * multiple;
+// To cover `pixels` by tiles, in whole groups.
+std::size_t work_items(int pixels, int tile, std::size_t group) {
+    const auto items = static_cast<std::size_t>((pixels + tile - 1) / tile);
+    return (items + group - 1) / group * group;
+}
+
+// How many rays one work-item traces side by side (kernels/wide.cl).
+int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
+    const std::string chosen = choice(settings.methods, "width");
+    if (settings.split) {
+        return 1;  // its line may run through a tile
+    }
+    if (chosen != "device") {
+        return std::stoi(chosen);
+    }
+    const cl_uint preferred = device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
+    const bool is_gpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU;
+    return is_gpu || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
 }
 
 cl::Kernel render_kernel(const cl::Program &program) {
@@ -103,9 +117,15 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)) {
-    const Bvh bvh = stage_number(stage) >= acceleration_stage ? build_bvh(scene) : Bvh();
-    if (bvh.depth > 0) {
-        needs_.emplace_back("BVH_DEPTH", bvh.depth);
+    Bvh bvh;
+    if (stage_number(stage) >= acceleration_stage) {
+        width_ = rays_at_a_time(device, settings);
+        needs_.emplace_back("WIDTH", width_);
+        bvh = build_bvh(scene, std::stoi(choice(settings.methods, "nodes")));
+    }
+    if (!bvh.nodes.empty()) {
+        needs_.emplace_back("BVH_WIDTH", bvh.width);
+        needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
     }
     options_ = build_options(needs_, settings.methods);
     if (picture == Picture::image) {
@@ -180,10 +200,12 @@ void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
     if (plain_textures_) {
         launch_split(queue, width, height);
     } else {
-        queue.enqueueNDRangeKernel(
-            kernel_, cl::NullRange,
-            cl::NDRange(round_up(width, group_width), round_up(height, group_height)),
-            cl::NDRange(group_width, group_height));
+        const int tile_width = width_ == 1 ? 1 : width_ == 4 ? 2 : 4;  // kernels/wide.cl
+        const int tile_height = width_ / tile_width;
+        queue.enqueueNDRangeKernel(kernel_, cl::NullRange,
+                                   cl::NDRange(work_items(width, tile_width, group_width),
+                                               work_items(height, tile_height, group_height)),
+                                   cl::NDRange(group_width, group_height));
     }
 }
 

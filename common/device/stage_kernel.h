@@ -91,6 +91,7 @@ private:
     std::map<std::string, cl_uint> arguments_;
     std::optional<TextureArray> plain_textures_;  // not decoded, for the right half of a split
     std::optional<cl::Buffer> ray_counts_;
+    int width_ = 1;  // pixels of a work-item
     double build_milliseconds_ = 0;
 };
 

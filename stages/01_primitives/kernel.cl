@@ -3,6 +3,7 @@
 #include "camera.cl"
 #include "closest_hit.cl"
 #include "picture.cl"
+#include "surface.cl"
 
 // #region normals_and_distances
 // There is no light yet: a hit shows its normal as a colour, with a contour line for each

@@ -4,6 +4,7 @@
 #include "closest_hit.cl"
 #include "diffuse.cl"
 #include "picture.cl"
+#include "surface.cl"
 
 // #region render
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,

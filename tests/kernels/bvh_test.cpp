@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <random>
 
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 
 #include "kernels/on_device.h"
@@ -17,7 +21,9 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 using KernelsStage09Slabs = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage09Slabs, each_device(), device_name);
 
-const SceneNeeds with_tree{{"TRIANGLE_COUNT", 1}, {"BVH_DEPTH", 1}};
+SceneNeeds with_tree(int width, int boxes) {
+    return {{"TRIANGLE_COUNT", 1}, {"WIDTH", width}, {"BVH_WIDTH", boxes}, {"BVH_STACK_SIZE", 1}};
+}
 
 struct Case {
     const char *what;
@@ -48,35 +54,100 @@ const std::vector<Case> cases{
     {"just beyond the limit", {0, 0, 4}, {0, 0, -1}, infinity, {-1, -1, -1}, {1, 1, 1}, 2.9999F},
     {"a flat box", {0.5F, 0.5F, 4}, {0, 0, -1}, 4, {0, 0, 0}, {1, 1, 0}},
     {"along a flat box", {4, 0.5F, 0}, {-1, 0, 0}, 3, {0, 0, 0}, {1, 1, 0}},
-    {"a point", {0, 0, 4}, {0, 0, -1}, 4, {0, 0, 0}, {0, 0, 0}},
-    {"a box that is nowhere", {0, 0, 4}, {0, 0, -1}, infinity, vec3(infinity), vec3(infinity)},
-    {"one that is nowhere, upwards",
-     {0, 0, 0},
-     {1, 1, 1},
-     infinity,
-     vec3(infinity),
-     vec3(infinity)},
-    {"far away", {1e30F, 0, 0}, {-1, 0, 0}, 1e30F},
-    {"large", {0, 0, 4e30F}, {0, 0, -1}, 3e30F, vec3(-1e30F), vec3(1e30F)},
+    {"a point", {0, 0.5F, 4}, {0, 0, -1}, 4, {0, 0.5F, 0}, {0, 0.5F, 0}},
+    {"one that is missing", {0, 0, 4}, {1, 1, -1}, infinity, vec3(infinity), vec3(-infinity)},
+    {"far away", {1e15F, 0, 0}, {-1, 0, 0}, 1e15F},
+    {"large", {0, 0, 4e12F}, {0, 0, -1}, 3e12F, vec3(-1e12F), vec3(1e12F)},
 };
+
+// BvhNode, as words, with four children.
+using Node = std::array<std::uint32_t, 32>;
+
+// The box, grown as common/device/bvh.cpp does.
+void put_box(Node &node, std::size_t child, const vec3 &low, const vec3 &high) {
+    float room = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::isfinite(low[axis])) {
+            room = std::max({room, std::abs(low[axis]), std::abs(high[axis])});
+        }
+    }
+    room *= 2.3841858e-7F;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<int>(axis);
+        node[4 * axis + child] = std::bit_cast<std::uint32_t>(low[i] - room);
+        node[4 * (axis + 3) + child] = std::bit_cast<std::uint32_t>(high[i] + room);
+    }
+}
 
 TEST_P(KernelsStage09Slabs, AreEnteredWhereTheClosedFormSays) {
     std::vector<vec4> origins, directions;
-    std::vector<device::BvhChild> boxes;
+    std::vector<Node> nodes;
     std::vector<float> limits;
     for (const Case &it : cases) {
         origins.emplace_back(it.origin, 0);
         directions.emplace_back(it.direction, 0);
-        boxes.push_back({{it.low.x, it.low.y, it.low.z}, 0, {it.high.x, it.high.y, it.high.z}, 0});
         limits.push_back(it.limit);
+        put_box(nodes.emplace_back(), 0, it.low, it.high);
+        const vec3 behind = it.origin - (2 + glm::length(it.origin)) * it.direction;
+        for (std::size_t child = 1; child < 4; ++child) {
+            put_box(nodes.back(), child, behind - vec3(1e-3F), behind + vec3(1e-3F));
+        }
     }
-    const std::vector<float> enters =
-        build("bvh.cl", with_tree).run<float>("enter", origins, directions, boxes, limits);
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (cases[i].expected == infinity) {
-            EXPECT_EQ(enters[i], infinity) << cases[i].what;
-        } else {
-            EXPECT_NEAR(enters[i], cases[i].expected, 1e-6F * cases[i].expected) << cases[i].what;
+    for (const int width : {1, 4, 16}) {
+        SCOPED_TRACE(width);
+        const std::vector<vec4> results =
+            build("bvh.cl", with_tree(width, 4))
+                .run<vec4>("enter", origins, directions, nodes, limits);
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            const bool enters = cases[i].expected < infinity;
+            if (cases[i].low.x <= cases[i].high.x) {  // a ray is not tried against what is missing
+                EXPECT_EQ(results[i].x, enters) << cases[i].what;
+            }
+            EXPECT_EQ(results[i].z, enters) << cases[i].what << ": and no other child's box";
+            if (enters) {
+                EXPECT_NEAR(results[i].y, cases[i].expected, 1e-6F * cases[i].expected + 1e-6F)
+                    << cases[i].what;
+            }
+        }
+    }
+}
+
+// No box that any of its rays enters is left out by the beam, and where rays run side by side it
+// enters few that none of them does.
+TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
+    constexpr std::size_t count = 4096;
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> within(-1, 1);
+    const auto point = [&] { return vec3(within(random), within(random), within(random)); };
+    for (const float spread : {0.0F, 0.01F, 2.0F}) {
+        std::vector<vec4> origins, directions;
+        std::vector<Node> nodes(count);
+        vec3 origin, direction;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i % 16 == 0) {
+                origin = 3.0F * point();
+                direction = 0.5F * point() - origin;
+            }
+            origins.emplace_back(origin + 0.1F * spread * point(), 0);
+            directions.emplace_back(direction + spread * point(), 0);
+            for (std::size_t child = 0; child < 4; ++child) {
+                const vec3 low = point();
+                put_box(nodes[i], child, low, low + 0.5F * (point() + vec3(1)));
+            }
+        }
+        const std::vector<glm::ivec2> results =
+            build("bvh.cl", with_tree(16, 4))
+                .run<glm::ivec2>("enter_together", origins, directions, nodes);
+        int entered = 0;
+        int more = 0;
+        for (const glm::ivec2 &result : results) {
+            EXPECT_EQ(result.y & ~result.x, 0) << "left out at a spread of " << spread;
+            entered += std::popcount(unsigned(result.y));
+            more += std::popcount(unsigned(result.x & ~result.y));
+        }
+        EXPECT_GT(entered, 300);
+        if (spread < 1) {
+            EXPECT_LT(more, entered / 5) << "at a spread of " << spread;
         }
     }
 }

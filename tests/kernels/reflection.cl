@@ -22,7 +22,8 @@ __kernel void stack(__global int4 *results, __global const int *depths) {
     const size_t i = get_global_id(0);
     const Ray primary = {(float3)(0.0f), (float3)(0.0f, 0.0f, 1.0f)};
     RayStack stack;
-    start_stack(&stack, primary);
+    stack.rays[0] = primary_ray(primary);
+    stack.count = 1;
     PendingRay ray = stack.rays[--stack.count];
     const int primary_depth = ray.depth;
     uint traced = 0;

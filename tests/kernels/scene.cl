@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What rays and lines find in a whole scene.
+#include "any_hit.cl"
 #include "closest_hit.cl"
+#include "surface.cl"
 #if MATERIAL_COUNT > 0
 #include "diffuse.cl"
 #endif

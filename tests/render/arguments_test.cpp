@@ -55,7 +55,8 @@ Sizes sizes_of(const Scene &scene, const Names &parts) {
                 {"materials", scene.materials.size() * 64},
                 {"lights", scene.lights.size() * 64},
                 {"triangles", scene.triangles.size() * 16},
-                {"bvh_nodes", build_bvh(scene).nodes.size() * 64},
+                {"facets", scene.triangles.size() * 36},
+                {"bvh_nodes", build_bvh(scene, 4).nodes.size() * 4},
                 {"vertex_positions", vertices * 16},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
@@ -104,8 +105,9 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
                                                     "vertex_texture_coordinates"}},
-            DefaultScene{"09_acceleration",
-                         shaded + mesh + Names{"spheres", "planes", "lights", "bvh_nodes"}}),
+            DefaultScene{"09_acceleration", shaded
+                                                + Names{"spheres", "planes", "lights", "triangles",
+                                                        "facets", "vertex_normals", "bvh_nodes"}}),
         each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param).stage + "_" + std::get<1>(scene.param);

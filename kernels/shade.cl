@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 03; extended by 04 (dielectrics) and 06 (textures): what a material does with
+// the light of a ray that met it.
+#include "reflection.cl"
+#include "surface.cl"
+#if HAS_DIELECTRIC
+#include "dielectric.cl"
+#endif
+#if HAS_TEXTURES
+#include "texture.cl"
+#endif
+
+// #region shares
+// How a material divides the light it sends on: what comes straight from the lights, and
+// what it reflects.
+static float diffuse_share(const Material *material) {
+    switch (material->type) {
+    case MATERIAL_DIFFUSE:
+        return 1.0f;
+    case MATERIAL_GLOSSY:
+        return 1.0f - material->as.glossy.specularity;
+    default:
+        return 0.0f;
+    }
+}
+
+static float reflected_share(const Material *material) {
+    switch (material->type) {
+    case MATERIAL_MIRROR:
+        return 1.0f;
+    case MATERIAL_GLOSSY:
+        return material->as.glossy.specularity;
+    default:
+        return 0.0f;
+    }
+}
+// #endregion shares
+
+// #region shade
+// Whether the surface sends on light that comes straight from the lights, and the weight of that in
+// the pixel; the rays for what else it sends on go onto the stack.
+static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
+                  const Surface *surface, float3 *direct_weight, RayStack *stack,
+                  RayCounts *counts TEXTURE_PARAMETER) {
+    const Material material = scene->materials[surface->material];
+    float3 weight = incoming->weight * material.color.xyz;
+#if HAS_TEXTURES
+    weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
+#endif
+#if HAS_DIELECTRIC
+    weight *= transmittance(incoming->absorption, hit.distance);
+    if (material.type == MATERIAL_DIELECTRIC) {
+        const DielectricMaterial glass = material.as.dielectric;
+#if METHOD_INTERIOR_PAPER && SPHERE_COUNT > 0
+        if (hit.shape == SHAPE_SPHERE) {
+            const float3 center = scene->spheres[hit.index].center.xyz;
+            spawn_through_sphere(stack, incoming, surface, &glass, center, weight, counts);
+            return false;
+        }
+#endif
+        spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
+    }
+#endif
+#if HAS_REFLECTION
+    const float reflected = reflected_share(&material);
+    if (reflected > 0.0f) {
+        spawn_reflected(stack, incoming, surface, reflected * weight, counts);
+    }
+#endif
+    const float diffuse = diffuse_share(&material);
+    *direct_weight = diffuse * weight;
+    return diffuse > 0.0f;
+}
+// #endregion shade
+

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Introduced by stage 09: what is there where WIDTH rays have hit. What lies in memory is fetched
+// lane by lane; what is arithmetic is done for all lanes at once.
+#include "surface.cl"
+#include "wide_hit.cl"
+
+// #region wide_surfaces
+// As Surface, which each lane can be given back as.
+typedef struct WideSurfaces {
+    Wide3 position, normal, geometric_normal;
+    WideInt from_behind;
+    Wide offset;
+} WideSurfaces;
+
+typedef struct SurfaceLanes {
+    Lanes3 position, normal, geometric_normal;
+    int from_behind[WIDTH];
+    float offset[WIDTH];
+    int material[WIDTH];
+#if HAS_TEXTURES
+    float2 texture_coordinates[WIDTH];
+#endif
+} SurfaceLanes;
+// #endregion wide_surfaces
+
+// #region fetch
+static void fetch_surface(const Scene *scene, const Ray ray, const Hit hit, const int lane,
+                          SurfaceLanes *lanes) {
+    Surface surface;
+    switch (hit.shape) {
+#if SPHERE_COUNT > 0
+    case SHAPE_SPHERE:
+        sphere_surface(&surface, scene->spheres[hit.index], ray, hit);
+        break;
+#endif
+#if PLANE_COUNT > 0
+    case SHAPE_PLANE:
+        plane_surface(&surface, scene->planes[hit.index], ray, hit);
+        break;
+#endif
+#if TRIANGLE_COUNT > 0
+    case SHAPE_TRIANGLE:
+        fetch_triangle(&surface, scene, hit);
+        break;
+#endif
+    default:
+        break;
+    }
+    put_lane(&lanes->position, lane, surface.position);
+    put_lane(&lanes->normal, lane, surface.normal);
+    put_lane(&lanes->geometric_normal, lane, surface.geometric_normal);
+    lanes->material[lane] = surface.material;
+#if HAS_TEXTURES
+    lanes->texture_coordinates[lane] = surface.texture_coordinates;
+#endif
+}
+// #endregion fetch
+
+// #region finish
+// `a` turned round where the mask is set.
+static Wide3 turned(const WideInt mask, const Wide3 a) {
+    const Wide3 turned = {mask ? -a.x : a.x, mask ? -a.y : a.y, mask ? -a.z : a.z};
+    return turned;
+}
+
+static Wide wide_origin_offset(const WideRays *rays, const Wide distance) {
+    const Wide x = fabs(rays->origin.x);
+    const Wide y = fabs(rays->origin.y);
+    const Wide z = fabs(rays->origin.z);
+    return ORIGIN_OFFSET * (larger(x, larger(y, z)) + distance);
+}
+
+// As the ends of triangle_surface and surface_at.
+static WideSurfaces finish_surfaces(const WideRays *rays, const Wide distance,
+                                    const SurfaceLanes *lanes) {
+    WideSurfaces surfaces;
+    surfaces.position = load_lanes(&lanes->position);
+    surfaces.normal = wide_normalized(load_lanes(&lanes->normal));
+    surfaces.geometric_normal = wide_normalized(load_lanes(&lanes->geometric_normal));
+    const WideInt inward = wide_dot(surfaces.geometric_normal, surfaces.normal) < 0.0f;
+    surfaces.geometric_normal = turned(inward, surfaces.geometric_normal);
+    surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
+    surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
+    surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
+    surfaces.offset = wide_origin_offset(rays, distance);
+    return surfaces;
+}
+
+static void store_surfaces(SurfaceLanes *lanes, const WideSurfaces *surfaces) {
+    store_lanes(&lanes->position, surfaces->position);
+    store_lanes(&lanes->normal, surfaces->normal);
+    store_lanes(&lanes->geometric_normal, surfaces->geometric_normal);
+    STORE_WIDE(surfaces->from_behind, lanes->from_behind);
+    STORE_WIDE(surfaces->offset, lanes->offset);
+}
+
+static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
+    Surface surface;
+    surface.position = get_lane(&lanes->position, lane);
+    surface.normal = get_lane(&lanes->normal, lane);
+    surface.geometric_normal = get_lane(&lanes->geometric_normal, lane);
+    surface.from_behind = lanes->from_behind[lane] != 0;
+    surface.material = lanes->material[lane];
+    surface.offset = lanes->offset[lane];
+#if HAS_TEXTURES
+    surface.texture_coordinates = lanes->texture_coordinates[lane];
+#endif
+    return surface;
+}
+// #endregion finish
