@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 04: glass. What is reflected, what goes through, and what is lost inside.
+// Introduced by stage 04; extended by 10 (meshes): glass. What is reflected, what goes through, and what
+// is lost inside.
 #include "ray_stack.cl"
 #include "reflection.cl"
 
@@ -38,6 +39,28 @@ static float3 transmittance(const float3 absorption, const float distance) {
 }
 // #endregion beer
 
+// #region smooth_glass
+// On a smooth mesh the shading normal leans away from the facet's. It may even be turned away from the
+// ray: beyond grazing, where all is reflected.
+static bool is_turned_away(const Surface *surface, const float3 direction) {
+#if HAS_DIELECTRIC_MESH
+    return dot(direction, surface->normal) >= 0.0f;
+#else
+    return false;
+#endif
+}
+
+// And what is refracted by it may come out above the facet: it is folded back beneath, as what is
+// reflected is folded back up, without a step where that begins.
+static void fold_below(const Surface *surface, float3 *refracted) {
+#if HAS_DIELECTRIC_MESH
+    if (dot(*refracted, surface->geometric_normal) > 0.0f) {
+        *refracted = reflect(*refracted, surface->geometric_normal);
+    }
+#endif
+}
+// #endregion smooth_glass
+
 // #region interface
 // What a ray meets at the surface of a dielectric: the share that is reflected and, unless
 // that is all, the direction of the rest.
@@ -49,12 +72,14 @@ typedef struct Interface {
 static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
     Interface interface;
     const float ratio = surface->from_behind ? ior : 1.0f / ior;
-    if (!refract(direction, surface->normal, ratio, &interface.refracted)) {
+    if (is_turned_away(surface, direction)
+        || !refract(direction, surface->normal, ratio, &interface.refracted)) {
         interface.reflectance = 1.0f;
         return interface;
     }
     const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
     interface.reflectance = schlick(fabs(dot(thinner_side, surface->normal)), ior);
+    fold_below(surface, &interface.refracted);
     return interface;
 }
 // #endregion interface
@@ -66,10 +91,14 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
                              const DielectricMaterial *glass, const float3 weight,
                              RayCounts *counts) {
     const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
-    spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
+    PendingRay here = *incoming;
+    if (surface->from_behind) {  // what is reflected in glass runs in it, even if the eye was there
+        here.absorption = glass->absorption.xyz;
+    }
+    spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
         PendingRay refracted;
-        refracted.ray.origin = origin_off(surface, interface.refracted);
+        refracted.ray.origin = origin_off(surface, -surface->geometric_normal);
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;

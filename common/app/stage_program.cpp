@@ -11,6 +11,7 @@
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
+#include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 #include "scene/scene_file.h"
@@ -67,6 +68,9 @@ int draw(const std::string &stage, const Options &options, const Scene &scene,
 int run(const std::string &stage, const Options &options) {
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
+    for (const std::string &line : open_dielectric_meshes(scene)) {
+        fmt::print(stderr, "warning: {}\n", line);
+    }
     const RenderSettings settings = settings_of(options, scene);
     std::string reason = "no window was asked for";
     if (options.display != Display::none) {

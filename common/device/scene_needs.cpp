@@ -25,6 +25,17 @@ bool has_light(const Scene &scene, LightType type) {
                                [type](const Light &light) { return light.type == type; });
 }
 
+bool any_mesh_material(const Scene &scene, auto is) {
+    return std::ranges::any_of(scene.triangles, [&](const Triangle &triangle) {
+        return is(scene.materials[static_cast<std::size_t>(triangle.material)]);
+    });
+}
+
+bool has_dielectric_mesh(const Scene &scene) {
+    return any_mesh_material(
+        scene, [](const Material &material) { return material.type == MaterialType::dielectric; });
+}
+
 void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
     const std::set<int> used = used_materials(scene);
     const auto uses = [&](MaterialType type) {
@@ -43,6 +54,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
     needs.emplace_back("HAS_DIFFUSE", diffuse);
     needs.emplace_back("HAS_REFLECTION", glossy || uses(MaterialType::mirror));
     needs.emplace_back("HAS_DIELECTRIC", dielectric);
+    needs.emplace_back("HAS_DIELECTRIC_MESH", has_dielectric_mesh(scene));
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
@@ -53,9 +65,8 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
 }  // namespace
 
 bool has_textured_mesh(const Scene &scene) {
-    return std::ranges::any_of(scene.triangles, [&scene](const Triangle &triangle) {
-        return scene.materials[static_cast<std::size_t>(triangle.material)].texture != no_texture;
-    });
+    return any_mesh_material(
+        scene, [](const Material &material) { return material.texture != no_texture; });
 }
 
 SceneNeeds needs_of(const Scene &scene, int stage, int max_depth) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a surface does to a ray (paper, sections 4 and 5). Directions and normals have unit
-// length, and normals face the ray: d · n < 0.
+// length, and geometric normals face the ray: d · g < 0. So do shading normals, but for those of
+// smooth meshes near their rims.
 #pragma once
 
 #include <optional>
@@ -23,17 +24,25 @@ template <typename Number> struct Refraction {
     Number cosine;  // with the normal, behind the surface
 };
 
-// Snell's law, n1 sin1 = n2 sin2. Nothing when all is reflected.
+// Snell's law, n1 sin1 = n2 sin2. Nothing when all is reflected: also where the normal does not
+// face the ray, as Fresnel's share has then reached 1 (docs/shading.md, "Dielectrics").
 template <typename Number>
 std::optional<Refraction<Number>> refract(const Vec<Number> &d, const Vec<Number> &normal,
                                           Number n1, Number n2) {
     const Number ratio = n1 / n2;
     const Number cosine1 = -glm::dot(d, normal);
     const Number sine2_squared = ratio * ratio * (1 - cosine1 * cosine1);
-    if (sine2_squared > 1)
+    if (sine2_squared > 1 || cosine1 <= 0)
         return std::nullopt;
     const Number cosine2 = std::sqrt(1 - sine2_squared);
     return Refraction<Number>{ratio * d + (ratio * cosine1 - cosine2) * normal, cosine2};
+}
+
+// The transmitted direction goes beneath the facet, whatever the shading normal made of it.
+template <typename Number>
+Vec<Number> beneath(const Vec<Number> &transmitted, const Vec<Number> &geometric) {
+    const Number height = glm::dot(transmitted, geometric);
+    return height > 0 ? transmitted - 2 * height * geometric : transmitted;
 }
 
 // The reflected share (Schlick, An Inexpensive BRDF Model for Physically-based Rendering,

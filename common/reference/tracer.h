@@ -118,11 +118,11 @@ template <typename Number> Vec<Number> Tracer<Number>::dielectric(const Meeting 
         return sum;
     if (single_pass && !hit.from_behind)
         return sum + through_interior(at, refraction->direction, (1 - F) * at.color);
+    const Ray<Number> transmitted{hit.point - hit.offset * hit.geometric_normal,
+                                  beneath(refraction->direction, hit.geometric_normal)};
     return sum
-           + spawn(
-               at,
-               ray_off_surface(hit.point, hit.geometric_normal, refraction->direction, hit.offset),
-               hit.from_behind ? nullptr : &at.material, (single_pass ? 1 : 1 - F) * at.color);
+           + spawn(at, transmitted, hit.from_behind ? nullptr : &at.material,
+                   (single_pass ? 1 : 1 - F) * at.color);
 }
 
 // The paper's section 5: from the hit along `inward` to the sphere's far wall, absorbed on the

@@ -11,9 +11,9 @@ namespace {
 using Files = std::vector<std::string>;
 
 const std::vector<std::string> stages{
-    "01_primitives",      "02_shading_shadows", "03_reflection_glossy",
-    "04_refraction_beer", "05_meshes",          "06_textures",
-    "07_interop",         "08_gamma",           "09_acceleration"};
+    "01_primitives",   "02_shading_shadows", "03_reflection_glossy", "04_refraction_beer",
+    "05_meshes",       "06_textures",        "07_interop",           "08_gamma",
+    "09_acceleration", "10_full_tracer"};
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 

@@ -101,7 +101,8 @@ TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
 INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage,
                          testing::Values("01_primitives", "02_shading_shadows",
                                          "03_reflection_glossy", "04_refraction_beer", "05_meshes",
-                                         "06_textures", "08_gamma", "09_acceleration"),
+                                         "06_textures", "08_gamma", "09_acceleration",
+                                         "10_full_tracer"),
                          [](const auto &instance) { return std::string(instance.param); });
 
 class Stage07Ladder : public WithDisplay {

@@ -35,6 +35,19 @@ __kernel void interfaces(__global float4 *results, __global const float4 *direct
     results[i] = (float4)(interface.refracted, interface.reflectance);
 }
 
+// The same on a facet of a smooth mesh.
+__kernel void smooth_interfaces(__global float4 *results, __global const float4 *directions,
+                                __global const float4 *normals, __global const float4 *facets,
+                                __global const float2 *media) {
+    const size_t i = get_global_id(0);
+    Surface surface;
+    surface.normal = normals[i].xyz;
+    surface.geometric_normal = facets[i].xyz;
+    surface.from_behind = media[i].y > 0.0f;
+    const Interface interface = interface_at(&surface, directions[i].xyz, media[i].x);
+    results[i] = (float4)(interface.refracted, interface.reflectance);
+}
+
 #if METHOD_INTERIOR_PAPER
 __kernel void chords(__global float *results, __global const float4 *origins,
                      __global const float4 *directions, __global const float4 *centers) {

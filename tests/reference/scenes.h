@@ -103,6 +103,24 @@ inline void add_ball(Scene &scene, dvec3 center, double radius, int n, int mater
         }
 }
 
+// A closed box of twelve facets.
+inline void add_box(Scene &scene, dvec3 low, dvec3 high, int material) {
+    const dvec3 center = (low + high) / 2.0, half = (high - low) / 2.0;
+    for (const int axis : {0, 1, 2})
+        for (const double side : {-1.0, 1.0}) {
+            dvec3 out(0), right(0);
+            out[axis] = side * half[axis];
+            right[(axis + 1) % 3] = side * half[(axis + 1) % 3];
+            dvec3 up(0);
+            up[(axis + 2) % 3] = half[(axis + 2) % 3];
+            const dvec3 face = center + out;
+            add_flat_triangle(scene, face - right - up, face + right - up, face + right + up,
+                              material);
+            add_flat_triangle(scene, face - right - up, face + right + up, face - right + up,
+                              material);
+        }
+}
+
 template <typename Number = double> Ray<Number> ray(dvec3 origin, dvec3 direction) {
     return {Vec<Number>(origin), glm::normalize(Vec<Number>(direction))};
 }

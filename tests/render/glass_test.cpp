@@ -89,6 +89,20 @@ TEST_P(Stage04Energy, AClearBallInAWhiteWorldTurnsWhite) {
     }
 }
 
+// The eye in the middle of the ball: of what runs to and fro, weakened by q = c F T each time, the
+// part c (1-F) leaves at each wall, of depth 1, 2, …
+TEST_P(Stage04Beer, AnEyeInsideSeesATruncatedSeries) {
+    Scene scene = ball_ahead(sky, glass(c, ior, absorption));
+    scene.camera.position = {0, 0, 0};
+    scene.camera.look_at = {0, 0, -1};
+    const dvec3 q = c * F * glm::exp(-absorption * (2 * radius));
+    for (const int depth : {1, 2, 6}) {
+        scene.max_depth = depth;
+        expect_color(draw(stage, scene).image, 0, 0,
+                     (1 - F) * c * sky * (1.0 - glm::pow(q, dvec3(depth))) / (1.0 - q));
+    }
+}
+
 // Into a thinner ball at 0.8 of its radius: sin₂ = 0.8 / 0.5 is above 1, so all is reflected, and
 // no ray goes in.
 TEST_P(Stage04Energy, ABubbleReflectsAllBeyondTheCriticalAngle) {

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// Stage 10: the full tracer. Light bends into closed meshes now, since a tree makes their many rays
+// cheap; and none is followed that has faded.
+#include "closest_hit.cl"
+#include "dielectric.cl"  // extended: smooth meshes, whose normal may lean away; Fresnel's equations
+#include "ray_stack.cl"   // extended: rays too weak to matter
+#include "render.cl"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Refraction in closed meshes: flat facets by Snell, Fresnel and Beer, and smooth ones near their
+// rims.
+#include "reference/glass_slab.h"
+
+namespace stagelight::reference {
+namespace {
+
+TEST(ReferenceStage10Glass, ASlabBendsSplitsAndAbsorbs) {
+    for (const double angle : {0.0, 0.4, 0.9, 1.3}) {
+        const GlassSlab slab{.angle = angle};
+        expect_near(seen(slab.scene(), ray(slab.eye(), slab.direction())),
+                    slab.seen(schlick_at(angle, slab.ior)), 1e-12);
+    }
+}
+
+// Twice as fine a mesh is nearer to the sphere: its facets by four, its rim by two.
+TEST(ReferenceStage10Glass, AFinerBallIsNearerToTheSphere) {
+    const Settings settings{.width = 48, .height = 48};
+    const auto truth = render<double>(glass_ball(), settings).image.pixels;
+    double before = 0.01;
+    for (const int n : {16, 32, 64}) {
+        const auto mesh = render<double>(glass_ball(n), settings).image.pixels;
+        const double difference = mean_difference(mesh, truth);
+        EXPECT_LT(difference, before / 2) << n;
+        before = difference;
+    }
+    EXPECT_LT(before, 5e-4);
+}
+
+// G is up, and N leans by 60 degrees to +x. As the ray turns away from N, F goes to 1 and what is
+// transmitted runs along the facet: then all is reflected, and no step is seen on the way.
+TEST(ReferenceStage10Smooth, ANormalTurnedAwayReflectsAll) {
+    const dvec3 n(std::sqrt(0.75), 0.5, 0), g(0, 1, 0);
+    const auto coming = [](double angle) { return dvec3(std::sin(angle), -std::cos(angle), 0); };
+    const double along = glm::radians(30.0);  // where d · N = 0
+    for (const auto &[n1, n2] : {std::pair{1.0, 1.5}, {1.0, 1.01}}) {
+        EXPECT_FALSE(refract(coming(along + 1e-6), n, n1, n2));
+        const auto before = refract(coming(along - 1e-6), n, n1, n2);
+        ASSERT_TRUE(before);
+        EXPECT_NEAR(schlick(n1, n2, 1e-6, before->cosine), 1, 1e-4);
+    }
+    EXPECT_FALSE(refract(coming(along + 1e-6), n, 1.5, 1.0));
+    EXPECT_FALSE(refract(coming(along - 1e-6), n, 1.5, 1.0));  // beyond the critical angle
+}
+
+// What leaves glass by a leaning normal may come out above the facet: it is mirrored beneath.
+TEST(ReferenceStage10Smooth, WhatIsTransmittedGoesBeneathTheFacet) {
+    const dvec3 g(0, 1, 0);
+    expect_near(beneath(dvec3(0.6, 0.8, 0), g), {0.6, -0.8, 0}, 1e-15);
+    expect_near(beneath(dvec3(0.6, -0.8, 0), g), {0.6, -0.8, 0}, 0);
+    expect_near(beneath(dvec3(1, 0, 0), g), {1, 0, 0}, 0);
+}
+
+}  // namespace
+}  // namespace stagelight::reference
