@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 04; extended by 10 (meshes): glass. What is reflected, what goes through, and what
+// Introduced by stage 04; extended by 10 (meshes, Fresnel): glass. What is reflected, what goes through, and what
 // is lost inside.
 #include "ray_stack.cl"
 #include "reflection.cl"
+#if METHOD_FRESNEL_EXACT
+#include "fresnel.cl"
+#endif
 
 // #region refract
 // Snell's law in vectors; `ratio` is the index of refraction on the side of `normal` over that
@@ -78,7 +81,12 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
         return interface;
     }
     const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
-    interface.reflectance = schlick(fabs(dot(thinner_side, surface->normal)), ior);
+    const float cosine = fabs(dot(thinner_side, surface->normal));
+#if METHOD_FRESNEL_EXACT
+    interface.reflectance = fresnel(cosine, ior);
+#else
+    interface.reflectance = schlick(cosine, ior);
+#endif
     fold_below(surface, &interface.refracted);
     return interface;
 }

@@ -54,6 +54,15 @@ template <typename Number> Number schlick(Number n1, Number n2, Number cosine1, 
     return at_normal + (1 - at_normal) * rest * rest * rest * rest * rest;
 }
 
+// Fresnel's equations for light that is not polarised: the mean of the shares of what swings across
+// the plane of incidence and of what swings within it. Grazing light is all reflected.
+template <typename Number> Number fresnel(Number n1, Number n2, Number cosine1, Number cosine2) {
+    if (cosine1 <= 0)
+        return 1;
+    const auto share = [](Number a, Number b) { return (a - b) * (a - b) / ((a + b) * (a + b)); };
+    return (share(n1 * cosine1, n2 * cosine2) + share(n1 * cosine2, n2 * cosine1)) / 2;
+}
+
 // Beer's law: what is left after `distance`.
 template <typename Number>
 Vec<Number> transmittance(const Vec<Number> &absorption, Number distance) {

@@ -22,11 +22,15 @@ enum class Interior {
     paper,  // the paper's single pass: in, absorbed, out
 };
 
+// What share of the light a dielectric reflects.
+enum class Fresnel { schlick, exact };
+
 struct Settings {
     int width = 320;
     int height = 192;
     int max_depth = 8;
     Interior interior = Interior::full;
+    Fresnel fresnel = Fresnel::schlick;
     Transfer decode = Transfer::none;  // which curve takes texels to light
 };
 

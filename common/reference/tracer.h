@@ -107,7 +107,8 @@ template <typename Number> Vec<Number> Tracer<Number>::dielectric(const Meeting 
     const Number n1 = hit.from_behind ? ior : 1, n2 = hit.from_behind ? 1 : ior;
     const auto refraction = refract(at.direction, hit.shading_normal, n1, n2);
     const Number cosine1 = -glm::dot(at.direction, hit.shading_normal);
-    const Number F = refraction ? schlick(n1, n2, cosine1, refraction->cosine) : 1;
+    const auto share = settings_.fresnel == Fresnel::exact ? fresnel<Number> : schlick<Number>;
+    const Number F = refraction ? share(n1, n2, cosine1, refraction->cosine) : 1;
 
     const bool single_pass =
         settings_.interior == Interior::paper && hit.surface.kind == Surface::Kind::sphere;

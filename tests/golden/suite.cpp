@@ -31,13 +31,17 @@ std::string stage_of(const std::string &scene) {
 
 reference::Settings settings_of(const GoldenScene &golden, const Scene &scene,
                                 const Methods &methods) {
-    const auto interior = methods.find("interior");
+    const auto chosen = [&methods](const char *kind, const char *name) {
+        const auto choice = methods.find(kind);
+        return choice != methods.end() && choice->second == name;
+    };
     return {.width = width,
             .height = height,
             .max_depth = scene.max_depth,
-            .interior = interior != methods.end() && interior->second == "paper"
-                            ? reference::Interior::paper
-                            : reference::Interior::full,
+            .interior = chosen("interior", "paper") ? reference::Interior::paper
+                                                    : reference::Interior::full,
+            .fresnel = chosen("fresnel", "exact") ? reference::Fresnel::exact
+                                                  : reference::Fresnel::schlick,
             .decode = decode_of(stage_number(golden.stage), methods)};
 }
 

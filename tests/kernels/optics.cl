@@ -17,6 +17,14 @@ __kernel void schlicks(__global float *results, __global const float *cosines,
     results[i] = schlick(cosines[i], iors[i]);
 }
 
+#if METHOD_FRESNEL_EXACT
+__kernel void fresnels(__global float *results, __global const float *cosines,
+                       __global const float *iors) {
+    const size_t i = get_global_id(0);
+    results[i] = fresnel(cosines[i], iors[i]);
+}
+#endif
+
 __kernel void transmittances(__global float4 *results, __global const float4 *absorptions,
                              __global const float *distances) {
     const size_t i = get_global_id(0);

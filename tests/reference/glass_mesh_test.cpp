@@ -9,9 +9,27 @@ namespace {
 TEST(ReferenceStage10Glass, ASlabBendsSplitsAndAbsorbs) {
     for (const double angle : {0.0, 0.4, 0.9, 1.3}) {
         const GlassSlab slab{.angle = angle};
-        expect_near(seen(slab.scene(), ray(slab.eye(), slab.direction())),
-                    slab.seen(schlick_at(angle, slab.ior)), 1e-12);
+        const auto along = ray(slab.eye(), slab.direction());
+        expect_near(seen(slab.scene(), along), slab.seen(schlick_at(angle, slab.ior)), 1e-12);
+        expect_near(seen(slab.scene(), along, {.fresnel = Fresnel::exact}),
+                    slab.seen(fresnel_at(angle, slab.ior)), 1e-12);
     }
+}
+
+TEST(ReferenceStage10Fresnel, IsTheClosedFormAtSpecialAngles) {
+    for (const double n : {1.01, 1.5, 2.42}) {
+        EXPECT_NEAR(fresnel(1.0, n, 1.0, 1.0), std::pow((n - 1) / (n + 1), 2), 1e-15);
+        EXPECT_EQ(fresnel(1.0, n, 0.0, std::sqrt(1 - 1 / (n * n))), 1) << "grazing";
+        EXPECT_EQ(fresnel(n, 1.0, std::sqrt(1 - 1 / (n * n)), 0.0), 1) << "critical";
+        // At Brewster's angle the ways of what is reflected and what is transmitted stand at right
+        // angles, and nothing that swings within the plane is reflected.
+        const double brewster = std::atan(n), inner = std::numbers::pi / 2 - brewster;
+        const double across = std::pow((n * n - 1) / (n * n + 1), 2);
+        EXPECT_NEAR(fresnel(1.0, n, std::cos(brewster), std::cos(inner)), across / 2, 1e-15);
+        EXPECT_NEAR(fresnel(n, 1.0, std::cos(inner), std::cos(brewster)), across / 2, 1e-15);
+    }
+    EXPECT_EQ(fresnel(1.0, 1.0, 0.5, 0.5), 0);
+    EXPECT_EQ(fresnel(1.0, 1.0, 0.0, 0.0), 1);
 }
 
 // Twice as fine a mesh is nearer to the sphere: its facets by four, its rim by two.

@@ -63,6 +63,16 @@ inline double schlick_at(double angle, double ior) {
     return head_on + (1 - head_on) * std::pow(1 - std::cos(angle), 5);
 }
 
+// Fresnel's equations in their trigonometric form (Born and Wolf, section 1.5.2), not head on.
+inline double fresnel_at(double angle, double ior) {
+    if (angle == 0)
+        return std::pow((1 - ior) / (1 + ior), 2);
+    const double inner = std::asin(std::sin(angle) / ior);
+    const double across = std::sin(angle - inner) / std::sin(angle + inner);
+    const double within = std::tan(angle - inner) / std::tan(angle + inner);
+    return (across * across + within * within) / 2;
+}
+
 // A ball of glass over a lit floor: analytic, or a mesh of n * 2n facets with the normals of a
 // sphere.
 inline Scene glass_ball(int n = 0) {

@@ -17,7 +17,12 @@ TEST_P(Stage10Glass, ASlabBendsSplitsAndAbsorbs) {
         const GlassSlab slab{.angle = angle};
         Scene scene = slab.scene();
         scene.width = scene.height = 1;
-        expect_color(draw(stage, scene).image, 0, 0, slab.seen(schlick_at(angle, slab.ior)));
+        RenderSettings settings = settings_of(scene);
+        const Image by_schlick = renderer(stage, scene, settings).render().image;
+        expect_color(by_schlick, 0, 0, slab.seen(schlick_at(angle, slab.ior)));
+        settings.methods = {{"fresnel", "exact"}};
+        const Image by_fresnel = renderer(stage, scene, settings).render().image;
+        expect_color(by_fresnel, 0, 0, slab.seen(fresnel_at(angle, slab.ior)));
     }
 }
 
