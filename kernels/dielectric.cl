@@ -111,7 +111,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;
         refracted.absorption = surface->from_behind ? (float3)(0.0f) : glass->absorption.xyz;
-        push_ray(stack, refracted, &counts->refraction, &counts->dropped);
+        push_ray(stack, refracted, &counts->refraction, counts);
     }
 }
 #endif
@@ -148,7 +148,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         leaving.ray.origin = exit - surface->offset * inward;
     }
     if (leaves) {
-        push_ray(stack, leaving, &counts->refraction, &counts->dropped);
+        push_ray(stack, leaving, &counts->refraction, counts);
     }
 }
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02: counting rays, to know what a picture costs.
+// Introduced by stage 02; extended by 10 (faded rays): counting rays, to know what a picture costs.
 #include "scene_types.h"
 
 // #region ray_counts
@@ -17,5 +17,11 @@ static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
     if (counts.dropped > 0) {
         atomic_add(&row->dropped, counts.dropped);
     }
+#if FADED_ONE_IN > 0
+    if (counts.faded > 0) {
+        atomic_add(&row->faded, counts.faded);
+        atomic_max(&row->faded_weight, counts.faded_weight);
+    }
+#endif
 }
 // #endregion ray_counts

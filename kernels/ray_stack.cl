@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 04 (absorption): OpenCL C knows no recursion, so the
-// rays that are still to be traced wait on a stack of our own (paper, section 3).
+// Introduced by stage 03; extended by 04 (absorption) and 10 (faded rays): OpenCL C knows no recursion,
+// so the rays that are still to be traced wait on a stack of our own (paper, section 3).
 #include "ray.cl"
 
 // #region ray_stack
@@ -43,10 +43,29 @@ static void copy_pending(PendingRay *to, const PendingRay *from) {
 #endif
 }
 
-// A ray beyond the depth limit is not traced, but it is counted.
-static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, uint *dropped) {
+// #region faded
+// A ray is not worth its way when it can't bring a pixel a step of an 8-bit picture. What all such
+// rays of a pixel could have brought is added up, rounded up, so that their error is known.
+static bool has_faded(const PendingRay *ray, RayCounts *counts) {
+#if FADED_ONE_IN > 0
+    const float largest = max(ray->weight.x, max(ray->weight.y, ray->weight.z));
+    if (largest * FADED_ONE_IN < 1.0f) {
+        ++counts->faded;
+        counts->faded_weight += convert_uint_rtp(largest * FADED_WEIGHT_ONE);
+        return true;
+    }
+#endif
+    return false;
+}
+// #endregion faded
+
+// A ray that has faded, or is beyond the depth limit, is not traced, but it is counted.
+static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
+    if (has_faded(&ray, counts)) {
+        return;
+    }
     if (ray.depth > MAX_DEPTH) {
-        ++*dropped;
+        ++counts->dropped;
     } else {
         ++*traced;
         copy_pending(&stack->rays[stack->count++], &ray);

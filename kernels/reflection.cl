@@ -27,6 +27,6 @@ static void spawn_reflected(RayStack *stack, const PendingRay *incoming, const S
     reflected.ray = reflected_ray(surface, incoming->ray.direction);
     reflected.weight = weight;
     ++reflected.depth;
-    push_ray(stack, reflected, &counts->reflection, &counts->dropped);
+    push_ray(stack, reflected, &counts->reflection, counts);
 }
 // #endregion spawn_reflected

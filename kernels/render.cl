@@ -13,7 +13,7 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
         return;
     }
     const Scene scene = SCENE_ARGUMENTS;
-    RayCounts counts = {0, 0, 0, 0};
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
     const Ray primary = camera_ray(&camera, pixel);
     const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
     write_pixel(image, camera.size.x, pixel, color);

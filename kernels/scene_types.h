@@ -117,14 +117,17 @@ typedef struct BvhNode {
 } BvhNode;
 #endif
 
-// How many rays of a kind were traced, and how many the depth limit dropped: one a row of
-// the picture, so that no count outgrows 32 bits and few work-items meet at one.
+// How many rays of a kind were traced, how many the depth limit dropped, and how many had faded: one
+// a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
 typedef struct RayCounts {
     uint shadow;
     uint reflection;
     uint refraction;
     uint dropped;
+    uint faded;         // too weak to be traced
+    uint faded_weight;  // their sum, FADED_WEIGHT_ONE for all of a pixel; of a row the largest pixel's
 } RayCounts;
+#define FADED_WEIGHT_ONE 16777216.0f
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64
@@ -141,7 +144,7 @@ static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
 static_assert(sizeof(Facet) == 36 && offsetof(Facet, edge_b) == 12
               && offsetof(Facet, edge_c) == 24);
-static_assert(sizeof(RayCounts) == 16);
+static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, faded) == 16);
 }  // namespace stagelight::device
 #endif
 

@@ -12,6 +12,7 @@
 #include "display/viewer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
+#include "scene/brightest.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 
@@ -63,13 +64,14 @@ std::deque<RungName> ladder_of(Display display) {
                                       : std::deque{RungName::copy};
 }
 
-RunFigures figures_of(const Window &window, const FramePipeline &pipeline,
-                      const ViewFigures &seen) {
+RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const ViewFigures &seen,
+                      const Scene &scene) {
     RunFigures figures;
     for (const FrameTimes &frame : seen.frames) {
         figures.frames.push_back(frame.milliseconds);
     }
     figures.rays = seen.rays;
+    figures.brightest = brightest(scene);
     figures.bytes_on_device = pipeline.bytes();
     figures.display = {.rung = to_string(pipeline.rung()),
                        .reason = pipeline.reason(),
@@ -93,7 +95,7 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
     }
     if (!seen.frames.empty()) {
         report(stage, pipeline.device(), pipeline.stage_kernel(), pipeline.settings(),
-               figures_of(window, pipeline, seen), options.stats);
+               figures_of(window, pipeline, seen, scene), options.stats);
     }
     if (options.out) {
         fmt::print("wrote {}\n", options.out->string());

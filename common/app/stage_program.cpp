@@ -11,6 +11,7 @@
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
+#include "scene/brightest.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
@@ -30,11 +31,11 @@ void require_outputs(const std::filesystem::path &out, const Options &options) {
     }
 }
 
-RenderSettings settings_of(const Options &options, const Scene &scene) {
+RenderSettings settings_of(const Options &options, const Scene &scene, int stage) {
     RenderSettings settings;
     settings.width = options.size ? options.size->first : scene.width;
     settings.height = options.size ? options.size->second : scene.height;
-    settings.max_depth = options.depth.value_or(scene.max_depth);
+    settings.max_depth = options.depth.value_or(depth_of(scene, stage));
     settings.samples = options.samples;
     settings.methods = options.methods;
     settings.kernels = options.kernels;
@@ -57,6 +58,7 @@ int draw(const std::string &stage, const Options &options, const Scene &scene,
         figures.frames.push_back(frame.milliseconds);
     }
     figures.rays = frame.rays;
+    figures.brightest = brightest(scene);
     figures.bytes_on_device = renderer.bytes();
 
     write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
@@ -71,7 +73,7 @@ int run(const std::string &stage, const Options &options) {
     for (const std::string &line : open_dielectric_meshes(scene)) {
         fmt::print(stderr, "warning: {}\n", line);
     }
-    const RenderSettings settings = settings_of(options, scene);
+    const RenderSettings settings = settings_of(options, scene, stage_number(stage));
     std::string reason = "no window was asked for";
     if (options.display != Display::none) {
         const Shown shown = show(stage, options, scene, settings);

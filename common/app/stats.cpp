@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <ranges>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "device/left_out.h"
 #include "image/whole_file.h"
 #include "scene/lessons.h"
 
@@ -48,6 +51,26 @@ ordered_json needs_json(const SceneNeeds &needs) {
         json[name] = value;
     }
     return json;
+}
+
+ordered_json left_out_json(const SceneNeeds &needs, int stage) {
+    ordered_json json = ordered_json::object();
+    for (const auto &[what, why] : left_out(needs, stage)) {
+        json[what] = why;
+    }
+    return json;
+}
+
+// No pixel is off by more for want of the rays that had faded.
+double fading_error(const RunFigures &figures) {
+    return figures.rays.faded > 0 ? figures.rays.faded_weight * figures.brightest : 0;
+}
+
+ordered_json faded_json(const RunFigures &figures) {
+    return {{"count", figures.rays.faded},
+            {"largest_sum_of_weights", figures.rays.faded_weight},
+            {"brightest", figures.brightest},
+            {"error_at_most", fading_error(figures)}};
 }
 
 ordered_json methods_json(int stage, const Methods &chosen) {
@@ -127,8 +150,10 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
         {"frames", {{"milliseconds", figures.frames}, {"median", median(figures.frames)}}},
         {"rays", rays_json(figures.rays)},
         {"dropped_rays", figures.rays.dropped},
+        {"faded_rays", faded_json(figures)},
         {"bytes_on_device", bytes_json(figures.bytes_on_device)},
         {"needs", needs_json(kernel.needs())},
+        {"left_out", left_out_json(kernel.needs(), stage_number(stage))},
         {"display", display_json(figures.display)},
     };
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
@@ -150,6 +175,15 @@ void report(const std::string &stage, const cl::Device &device, const StageKerne
     if (figures.rays.dropped > 0) {
         fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
                    settings.max_depth);
+    }
+    if (figures.rays.faded > 0) {
+        fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
+                   "{:.2g}\n",
+                   figures.rays.faded, faded_one_in, fading_error(figures));
+    }
+    const auto left = left_out(kernel.needs(), stage_number(stage));
+    if (!left.empty()) {
+        fmt::print("left out: {}\n", fmt::join(left | std::views::keys, ", "));
     }
 }
 

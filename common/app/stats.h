@@ -31,12 +31,13 @@ struct DisplayFigures {
 struct RunFigures {
     std::vector<double> frames;  // milliseconds each
     RayTotals rays;              // of the last
+    double brightest = 0;        // of the scene (scene/brightest.h)
     std::map<std::string, std::size_t> bytes_on_device;
     DisplayFigures display;
 };
 
 // Device, driver, build options, milliseconds, rays by kind, dropped rays, bytes on the device,
-// what the scene needed, and how the frames came to the window.
+// what the scene needed and what was left out, and how the frames came to the window.
 std::string stats_json(const std::string &stage, const cl::Device &device,
                        const StageKernel &kernel, const RenderSettings &settings,
                        const RunFigures &figures);

@@ -20,6 +20,21 @@ std::set<int> used_materials(const Scene &scene) {
     return used;
 }
 
+// The largest share of a ray's weight that a hit may hand on to a ray that it spawns.
+double handed_on(const Material &material) {
+    const double color = std::max({material.color.x, material.color.y, material.color.z});
+    switch (material.type) {
+    case MaterialType::diffuse:
+        return 0;
+    case MaterialType::glossy:
+        return material.specularity * color;
+    case MaterialType::mirror:
+    case MaterialType::dielectric:
+        break;
+    }
+    return color;
+}
+
 bool has_light(const Scene &scene, LightType type) {
     return std::ranges::any_of(scene.lights,
                                [type](const Light &light) { return light.type == type; });
@@ -36,7 +51,7 @@ bool has_dielectric_mesh(const Scene &scene) {
         scene, [](const Material &material) { return material.type == MaterialType::dielectric; });
 }
 
-void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
+void add_shading_needs(SceneNeeds &needs, const Scene &scene, int stage, int max_depth) {
     const std::set<int> used = used_materials(scene);
     const auto uses = [&](MaterialType type) {
         return std::ranges::any_of(used, [&](int index) {
@@ -47,17 +62,20 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth) {
     const bool glossy = uses(MaterialType::glossy);
     const bool diffuse = glossy || uses(MaterialType::diffuse);
     const bool lit = diffuse && !scene.lights.empty();
+    const bool reflection = glossy || uses(MaterialType::mirror);
     needs.emplace_back("MATERIAL_COUNT", static_cast<int>(scene.materials.size()));
     needs.emplace_back("LIGHT_COUNT", lit ? static_cast<int>(scene.lights.size()) : 0);
     needs.emplace_back("HAS_POINT_LIGHT", lit && has_light(scene, LightType::point));
     needs.emplace_back("HAS_DIRECTIONAL_LIGHT", lit && has_light(scene, LightType::directional));
     needs.emplace_back("HAS_DIFFUSE", diffuse);
-    needs.emplace_back("HAS_REFLECTION", glossy || uses(MaterialType::mirror));
+    needs.emplace_back("HAS_REFLECTION", reflection);
     needs.emplace_back("HAS_DIELECTRIC", dielectric);
     needs.emplace_back("HAS_DIELECTRIC_MESH", has_dielectric_mesh(scene));
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
+    const bool fades = stage >= fading_stage && (reflection || dielectric);
+    needs.emplace_back("FADED_ONE_IN", fades ? faded_one_in : 0);
     // Only where a ray splits in two is one left waiting, at each depth.
     needs.emplace_back("STACK_SIZE", dielectric ? max_depth + 1 : 1);
 }
@@ -69,13 +87,32 @@ bool has_textured_mesh(const Scene &scene) {
         scene, [](const Material &material) { return material.texture != no_texture; });
 }
 
+int depth_of(const Scene &scene, int stage) {
+    constexpr int deepest = 16;
+    if (stage < fading_stage || scene.has_max_depth) {
+        return scene.max_depth;
+    }
+    double share = 0;
+    for (const int index : used_materials(scene)) {
+        share = std::max(share, handed_on(scene.materials[static_cast<std::size_t>(index)]));
+    }
+    if (share >= 1) {
+        return scene.max_depth;
+    }
+    int depth = 0;
+    for (double weight = share; weight * faded_one_in >= 1 && depth < deepest; weight *= share) {
+        ++depth;
+    }
+    return depth;
+}
+
 SceneNeeds needs_of(const Scene &scene, int stage, int max_depth) {
     SceneNeeds needs;
     needs.emplace_back("SPHERE_COUNT", static_cast<int>(scene.spheres.size()));
     needs.emplace_back("PLANE_COUNT", static_cast<int>(scene.planes.size()));
     needs.emplace_back("TRIANGLE_COUNT", static_cast<int>(scene.triangles.size()));
     if (stage > 1) {
-        add_shading_needs(needs, scene, max_depth);
+        add_shading_needs(needs, scene, stage, max_depth);
     }
     std::erase_if(needs, [](const auto &need) {
         return need.second == 0 && need.first != "MAX_DEPTH";  // a limit, not a count

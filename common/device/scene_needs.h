@@ -11,6 +11,16 @@
 
 namespace stagelight {
 
+// From this stage on a ray that carries less than one part in `faded_one_in` of a pixel is not
+// traced, and the depth follows from the scene.
+constexpr int fading_stage = 10;
+constexpr int faded_one_in = 4096;
+
+// How many bounces `stage` follows where no --depth says it: what the scene's file says, else 8;
+// but from stage 10 on no more than it takes until every ray has faded, where the materials'
+// colours and shares alone see to that, and then at most 16.
+int depth_of(const Scene &scene, int stage);
+
 // Name and value of what is not 0, in a fixed order.
 using SceneNeeds = std::vector<std::pair<std::string, int>>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "device/stage_kernel.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include <fmt/format.h>
@@ -55,6 +56,8 @@ RayTotals &RayTotals::operator+=(const RayTotals &more) {
     reflection += more.reflection;
     refraction += more.refraction;
     dropped += more.dropped;
+    faded += more.faded;
+    faded_weight = std::max(faded_weight, more.faded_weight);
     return *this;
 }
 
@@ -62,7 +65,13 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
     RayTotals totals;
     totals.primary = pixels;
     for (const device::RayCounts &row : rows) {
-        totals += {0, row.shadow, row.reflection, row.refraction, row.dropped};
+        totals += {0,
+                   row.shadow,
+                   row.reflection,
+                   row.refraction,
+                   row.dropped,
+                   row.faded,
+                   static_cast<double>(row.faded_weight) / FADED_WEIGHT_ONE};
     }
     return totals;
 }

@@ -107,7 +107,8 @@ struct Scene {
     int height = 384;  // pixels
     CameraDescription camera;
     glm::dvec3 background{0, 0, 0};
-    int max_depth = 8;  // bounces; 0 traces primary rays only
+    int max_depth = 8;           // bounces; 0 traces primary rays only
+    bool has_max_depth = false;  // the file says it
     std::vector<Material> materials;
     std::vector<Sphere> spheres;
     std::vector<Plane> planes;

@@ -33,6 +33,7 @@ void read_settings(Scene &scene, const TableReader &root) {
     scene.background = background.vector("color", not_negative, scene.background);
     const TableReader trace = root.table("trace");
     trace.refuse_unknown({"max_depth"});
+    scene.has_max_depth = trace.has("max_depth");
     scene.max_depth = static_cast<int>(trace.number("max_depth", bounces, scene.max_depth));
 }
 

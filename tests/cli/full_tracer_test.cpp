@@ -1,19 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Stage 10 as a user meets it: what it warns of.
+// Stage 10 as a user meets it: what it warns of, how deep it goes, and what it leaves out.
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
 #include "cli/program.h"
 
 namespace stagelight::cli {
 namespace {
+
+using nlohmann::json;
+
+constexpr auto stage = "10_full_tracer";
+constexpr auto camera = "[camera]\nposition = [3, 2, 4]\nlook_at = [0, 0, 0]\n";
 
 class Stage10Warning : public Cli {
 protected:
     // A pyramid of glass with these faces.
     Outcome draw(const std::string &faces) const {
         folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces);
-        folder.write("scene.toml", "[camera]\nposition = [3, 2, 4]\nlook_at = [0, 0, 0]\n"
-                                   "[materials.glass]\ntype = \"dielectric\"\n"
-                                   "[[meshes]]\nfile = \"a.obj\"\nmaterial = \"glass\"\n");
-        return run("10_full_tracer", {"scene.toml", "--size", small, "--out", "a.png"});
+        folder.write("scene.toml", camera
+                                       + std::string("[materials.glass]\ntype = \"dielectric\"\n"
+                                                     "[[meshes]]\nfile = \"a.obj\"\n"
+                                                     "material = \"glass\"\n"));
+        return run(stage, {"scene.toml", "--size", small, "--out", "a.png"});
     }
 };
 
@@ -29,6 +39,79 @@ TEST_F(Stage10Warning, NamesGlassThatIsNotClosed) {
 
 TEST_F(Stage10Warning, IsNotForClosedGlass) {
     expect_done(draw("f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+}
+
+// A ball of that material on a white floor, lit from above.
+class Stage10Needs : public Cli {
+protected:
+    json stats(const std::string &material, std::vector<std::string> arguments = {},
+               const std::string &more = "") const {
+        folder.write("scene.toml",
+                     camera + std::string("[materials.ball]\n") + material
+                         + "[[spheres]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"ball\"\n"
+                           "[[planes]]\nnormal = [0, 1, 0]\npoint = [0, -1, 0]\n"
+                           "[[lights]]\ntype = \"directional\"\ndirection = [0, -1, 0]\n"
+                         + more);
+        arguments.insert(arguments.begin(), {"scene.toml", "--size", small, "--out", "a.png",
+                                             "--stats", "stats.json"});
+        const Outcome outcome = run(stage, arguments);
+        expect_done(outcome);
+        said_ = outcome.out;
+        return json::parse(std::ifstream(folder.path() / "stats.json"));
+    }
+    const std::string &said() const { return said_; }
+
+private:
+    mutable std::string said_;
+};
+
+constexpr auto paint = "type = \"diffuse\"\n";
+constexpr auto varnish = "type = \"glossy\"\ncolor = [0.5, 0.4, 0.3]\nspecularity = 0.5\n";
+
+// A share of a quarter at most is handed on: a sixth bounce has 1/4096 of the weight.
+TEST_F(Stage10Needs, GiveTheDepth) {
+    EXPECT_EQ(stats(paint).at("max_depth"), 0);
+    const json derived = stats(varnish);
+    EXPECT_EQ(derived.at("max_depth"), 6);
+    EXPECT_EQ(derived.at("needs").at("MAX_DEPTH"), 6);
+    EXPECT_EQ(derived.at("dropped_rays"), 0);
+    EXPECT_EQ(stats(varnish, {}, "[trace]\nmax_depth = 3\n").at("max_depth"), 3);
+    EXPECT_EQ(stats(varnish, {"--depth", "2"}).at("max_depth"), 2);
+}
+
+TEST_F(Stage10Needs, AreToldWithWhatTheyLeaveOut) {
+    const json left = stats(paint).at("left_out");
+    EXPECT_EQ(left, json({{"mirrors", "no material is mirror or glossy"},
+                          {"refraction", "no material is dielectric"},
+                          {"triangles", "there is no mesh"},
+                          {"textures", "no material has a texture"},
+                          {"texture coordinates of vertices", "no mesh has a texture"},
+                          {"tree", "no triangles"},
+                          {"smooth glass", "no mesh is dielectric"},
+                          {"branch on the type of light", "all lights are of one type"},
+                          {"stack", "no ray splits in two: it has one place"}}));
+    expect_part(said(), "left out: mirrors, refraction, triangles, textures, ");
+    const json with_glass =
+        stats("type = \"dielectric\"\n", {}, "[[lights]]\ntype = \"point\"\nposition = [0, 5, 0]\n")
+            .at("left_out");
+    for (const char *what : {"refraction", "branch on the type of light", "stack"}) {
+        EXPECT_FALSE(with_glass.contains(what)) << what;
+    }
+    EXPECT_TRUE(with_glass.contains("mirrors"));
+}
+
+// The floor and the light are white: nothing is brighter than 1.
+TEST_F(Stage10Needs, BoundTheErrorOfWhatHasFaded) {
+    const json glass = stats("type = \"dielectric\"\ncolor = [0.9, 0.9, 0.9]\n", {"--depth", "40"});
+    const json &faded = glass.at("faded_rays");
+    EXPECT_GT(faded.at("count"), 0);
+    EXPECT_GT(faded.at("largest_sum_of_weights"), 0);
+    EXPECT_LT(faded.at("largest_sum_of_weights"), 0.02);
+    EXPECT_EQ(faded.at("brightest"), 1);
+    EXPECT_EQ(faded.at("error_at_most"), faded.at("largest_sum_of_weights"));
+    EXPECT_EQ(glass.at("needs").at("FADED_ONE_IN"), 4096);
+    expect_part(said(), to_string(faded.at("count")) + " rays not traced, each below 1/4096");
+    EXPECT_EQ(stats(paint).at("faded_rays").at("error_at_most"), 0);
 }
 
 }  // namespace

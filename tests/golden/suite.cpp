@@ -37,7 +37,7 @@ reference::Settings settings_of(const GoldenScene &golden, const Scene &scene,
     };
     return {.width = width,
             .height = height,
-            .max_depth = scene.max_depth,
+            .max_depth = depth_of(scene, stage_number(golden.stage)),
             .interior = chosen("interior", "paper") ? reference::Interior::paper
                                                     : reference::Interior::full,
             .fresnel = chosen("fresnel", "exact") ? reference::Fresnel::exact
@@ -97,7 +97,7 @@ Image draw_device(const GoldenScene &golden, const std::string &device, const Me
     RenderSettings settings;
     settings.width = width;
     settings.height = height;
-    settings.max_depth = scene.max_depth;
+    settings.max_depth = depth_of(scene, stage_number(golden.stage));
     settings.methods = methods;
     return Renderer(choose_device(device), golden.stage, scene, settings).render().image;
 }

@@ -114,7 +114,7 @@ TEST_P(KernelsStage02Light, RaysOfAllWorkItemsAreCounted) {
     std::vector<device::RayCounts> counts;
     device::RayCounts sum{};
     for (device::uint i = 0; i < 4096; ++i) {
-        counts.push_back({i % 2, i % 3, i % 5, i % 7 == 0 ? 1U : 0U});
+        counts.push_back({i % 2, i % 3, i % 5, i % 7 == 0 ? 1U : 0U, 0, 0});
         sum.shadow += counts.back().shadow;
         sum.reflection += counts.back().reflection;
         sum.refraction += counts.back().refraction;
@@ -125,6 +125,22 @@ TEST_P(KernelsStage02Light, RaysOfAllWorkItemsAreCounted) {
     EXPECT_EQ(row.reflection, sum.reflection);
     EXPECT_EQ(row.refraction, sum.refraction);
     EXPECT_EQ(row.dropped, sum.dropped);
+}
+
+using KernelsStage10Counts = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage10Counts, each_device(), device_name);
+
+// The rays are summed, of the weights the largest is kept: a row has many pixels.
+TEST_P(KernelsStage10Counts, KeepTheLargestFadedWeight) {
+    std::vector<device::RayCounts> counts;
+    for (device::uint i = 0; i < 4096; ++i) {
+        counts.push_back({0, 0, 0, 0, i % 3, i % 3 == 0 ? 0U : (i * 7919) % 4096});
+    }
+    SceneNeeds needs = both_kinds;
+    needs.emplace_back("FADED_ONE_IN", 1024);
+    const auto row = build("light.cl", needs).run<device::RayCounts>("count_rays", counts)[0];
+    EXPECT_EQ(row.faded, 4095U);
+    EXPECT_EQ(row.faded_weight, 4095U);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     incoming.absorption = (float3)(0.5f);
     RayStack stack;
     stack.count = 0;
-    RayCounts counts = {0, 0, 0, 0};
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
 #if METHOD_INTERIOR_PAPER
     spawn_through_sphere(&stack, &incoming, &surface, &glass, spheres[i].xyz, (float3)(1.0f),
                          &counts);

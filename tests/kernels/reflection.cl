@@ -27,17 +27,32 @@ __kernel void stack(__global int4 *results, __global const int *depths) {
     PendingRay ray = stack.rays[--stack.count];
     const int primary_depth = ray.depth;
     uint traced = 0;
-    uint dropped = 0;
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
     for (int k = 0; k < 3; ++k) {
         ray.depth = depths[i] + k;
         ray.weight = (float3)(k + 1);
-        push_ray(&stack, ray, &traced, &dropped);
+        push_ray(&stack, ray, &traced, &counts);
     }
     int order = 0;
     while (stack.count > 0) {
         order = 10 * order + convert_int(stack.rays[--stack.count].weight.x);
     }
-    results[i] = (int4)(order, traced, dropped, primary_depth);
+    results[i] = (int4)(order, traced, counts.dropped, primary_depth);
+}
+
+// Traced, dropped, faded, and their weight: what becomes of one ray of that weight, and of depth in w.
+__kernel void faded(__global uint4 *results, __global const float4 *weights) {
+    const size_t i = get_global_id(0);
+    const Ray primary = {(float3)(0.0f), (float3)(0.0f, 0.0f, 1.0f)};
+    RayStack stack;
+    start_stack(&stack, primary);
+    PendingRay ray = stack.rays[--stack.count];
+    ray.weight = weights[i].xyz;
+    ray.depth = convert_int(weights[i].w);
+    uint traced = 0;
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
+    push_ray(&stack, ray, &traced, &counts);
+    results[i] = (uint4)(traced, counts.dropped, counts.faded, counts.faded_weight);
 }
 
 // Depth and reflection count in w of the results: what spawn_reflected puts on the stack.
@@ -55,7 +70,7 @@ __kernel void spawned(__global float8 *results, __global const int *depths) {
     surface.offset = 0.0f;
     RayStack stack;
     stack.count = 0;
-    RayCounts counts = {0, 0, 0, 0};
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
     spawn_reflected(&stack, &incoming, &surface, (float3)(0.25f, 0.5f, 0.75f), &counts);
     const PendingRay ray = stack.rays[0];
     results[i] = stack.count == 1 ? (float8)(ray.ray.direction, ray.depth, ray.weight,

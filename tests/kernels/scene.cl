@@ -69,7 +69,7 @@ __kernel void direct(__global float4 *results, __global const float4 *origins,
     results[i] = (float4)(0.0f, 0.0f, 0.0f, -1.0f);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
-        RayCounts counts = {0, 0, 0, 0};
+        RayCounts counts = {0, 0, 0, 0, 0, 0};
         const float3 light = direct_light(&scene, &surface, &counts);
         results[i] = (float4)(light, counts.shadow);
     }

@@ -49,7 +49,7 @@ Sizes sizes_of(const Scene &scene, const Names &parts) {
         height = std::max(height, std::size_t(texture.height) + 2);
     }
     Sizes sizes{{"image", std::size_t(scene.width) * std::size_t(scene.height) * 16},
-                {"ray_counts", std::size_t(scene.height) * 16},
+                {"ray_counts", std::size_t(scene.height) * 24},
                 {"spheres", scene.spheres.size() * 32},
                 {"planes", scene.planes.size() * 32},
                 {"materials", scene.materials.size() * 64},

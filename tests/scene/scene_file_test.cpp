@@ -49,6 +49,7 @@ TEST_F(SceneFile, DefaultsOfAScene) {
     EXPECT_EQ(scene.camera.fov, 60);
     EXPECT_EQ(scene.background, glm::dvec3(0));
     EXPECT_EQ(scene.max_depth, 8);
+    EXPECT_FALSE(scene.has_max_depth);
     EXPECT_EQ(scene.materials.size(), 1U) << "expected plain white, for a buffer can't be empty";
     EXPECT_TRUE(scene.spheres.empty() && scene.planes.empty() && scene.meshes.empty()
                 && scene.lights.empty() && scene.textures.empty());
@@ -70,6 +71,7 @@ max_depth = 0
     EXPECT_EQ(scene.camera.fov, 59.5);
     EXPECT_EQ(scene.background, glm::dvec3(0.25, 1, 20));
     EXPECT_EQ(scene.max_depth, 0);
+    EXPECT_TRUE(scene.has_max_depth);
 }
 
 TEST_F(SceneFile, ShapesWithoutAMaterialShareAPlainWhiteOne) {
