@@ -106,20 +106,17 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
 }
 
 // Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
-// second mirrors the index's bits. Moved to the middle of their strata, so that a single
-// sample is the pixel's centre.
+// second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
+// that each has one sample, and a single one is the pixel's centre.
 device::float2 sample_point(int index, int count) {
-    double radical_inverse = 0;
-    double digit = 0.5;
-    int strata = 1;
-    for (int bits = index; bits > 0; bits /= 2, digit /= 2) {
-        radical_inverse += (bits % 2) * digit;
+    int before = 0;  // how many indices have less when they are mirrored
+    for (int bit = 1; bit <= index; bit *= 2) {
+        if ((index & bit) != 0) {  // those with the same bits below it, and 0 here
+            before += (count - 1 - index % bit) / (2 * bit) + 1;
+        }
     }
-    while (strata < count) {
-        strata *= 2;
-    }
-    return {{static_cast<float>((index + 0.5) / count),
-             static_cast<float>(radical_inverse + 0.5 / strata)}};
+    return {
+        {static_cast<float>((index + 0.5) / count), static_cast<float>((before + 0.5) / count)}};
 }
 
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,

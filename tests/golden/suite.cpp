@@ -45,6 +45,20 @@ reference::Settings settings_of(const GoldenScene &golden, const Scene &scene,
             .decode = decode_of(stage_number(golden.stage), methods)};
 }
 
+double allowed(const std::string &scene, const std::string &device, const char *key) {
+    const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
+    const toml::table tolerances = toml::parse_file(file.string());
+    const std::pair<std::string_view, std::string_view> places[] = {
+        {scene, device}, {"every", device}, {scene, "every"}, {"every", "every"}};
+    for (const auto &[for_scene, for_device] : places) {
+        const std::string path = fmt::format("{}.{}.{}", for_scene, for_device, key);
+        if (const auto value = tolerances.at_path(path).value<double>()) {
+            return *value;
+        }
+    }
+    throw UserError(fmt::format("{}: {} on {}: no {}", file.string(), scene, device, key));
+}
+
 }  // namespace
 
 std::vector<GoldenScene> all_scenes() {
@@ -103,23 +117,15 @@ Image draw_device(const GoldenScene &golden, const std::string &device, const Me
 }
 
 Tolerance tolerance_of(const std::string &scene, const std::string &device) {
-    const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
-    const toml::table tolerances = toml::parse_file(file.string());
-    const auto number = [&](const char *key) {
-        const std::pair<std::string_view, std::string_view> places[] = {
-            {scene, device}, {"every", device}, {scene, "every"}, {"every", "every"}};
-        for (const auto &[for_scene, for_device] : places) {
-            const std::string path = fmt::format("{}.{}.{}", for_scene, for_device, key);
-            if (const auto value = tolerances.at_path(path).value<double>()) {
-                return *value;
-            }
-        }
-        throw UserError(fmt::format("{}: {} on {}: no {}", file.string(), scene, device, key));
-    };
+    const auto number = [&](const char *key) { return allowed(scene, device, key); };
     return {.interior = number("interior"),
             .edge_outliers = static_cast<int>(number("edge_outliers")),
             .strays = static_cast<int>(number("strays")),
             .mean_signed_error = number("mean_signed_error")};
+}
+
+int unseen_of(const std::string &scene, const std::string &device) {
+    return static_cast<int>(allowed(scene, device, "unseen"));
 }
 
 }  // namespace stagelight::golden

@@ -50,5 +50,7 @@ Image draw_device(const GoldenScene &scene, const std::string &device, const Met
 // What golden/tolerances.toml allows the scene on that device. Throws UserError for a file that
 // does not say.
 Tolerance tolerance_of(const std::string &scene, const std::string &device);
+// How many pixels on edges may show what the reference sees nowhere around them.
+int unseen_of(const std::string &scene, const std::string &device);
 
 }  // namespace stagelight::golden

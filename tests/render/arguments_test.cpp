@@ -31,6 +31,7 @@ Names keys(const Sizes &sizes) {
 const Names picture{"image", "camera", "background"};
 const Names shaded{"image", "camera", "background", "ray_counts", "materials"};
 const Names mesh{"triangles", "vertex_positions", "vertex_normals"};
+const Names tree{"triangles", "facets", "vertex_normals", "bvh_nodes"};
 const Names values{"camera", "background"};  // in the arguments themselves: no buffer
 
 Names arguments(const Renderer &renderer) {
@@ -41,7 +42,7 @@ Names arguments(const Renderer &renderer) {
 }
 
 // Each part that is there, at the size of its struct in kernels/scene_types.h.
-Sizes sizes_of(const Scene &scene, const Names &parts) {
+Sizes sizes_of(const Scene &scene, const Names &parts, std::size_t texel) {
     const std::size_t vertices = scene.vertices.size();
     std::size_t width = 0, height = 0;  // of the largest texture, with a border
     for (const Texture &texture : scene.textures) {
@@ -60,14 +61,16 @@ Sizes sizes_of(const Scene &scene, const Names &parts) {
                 {"vertex_positions", vertices * 16},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
-                {"textures", scene.textures.size() * width * height * 4}};
+                {"textures", scene.textures.size() * width * height * texel}};
     std::erase_if(sizes, [&](const auto &size) { return !parts.contains(size.first); });
     return sizes;
 }
 
-void expect_arguments(const Renderer &renderer, const Scene &scene, const Names &expected) {
+// A texel has four bytes, and from stage 08 on four halves.
+void expect_arguments(const Renderer &renderer, const Scene &scene, const Names &expected,
+                      std::size_t texel = 4) {
     EXPECT_EQ(arguments(renderer), expected);
-    EXPECT_EQ(renderer.bytes(), sizes_of(scene, expected));
+    EXPECT_EQ(renderer.bytes(), sizes_of(scene, expected, texel));
     EXPECT_EQ(keys(renderer.bytes()) + values, expected);
 }
 
@@ -90,7 +93,8 @@ TEST_P(Arguments, AreWhatTheDefaultSceneNeeds) {
     scene.width = 33;
     scene.height = 9;
     const Renderer renderer(choose_device(device), wanted.stage, scene, settings_of(scene));
-    expect_arguments(renderer, scene, wanted.expected);
+    expect_arguments(renderer, scene, wanted.expected,
+                     stage_number(wanted.stage) >= gamma_stage ? 8 : 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -105,9 +109,12 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
                                                     "vertex_texture_coordinates"}},
-            DefaultScene{"09_acceleration", shaded
-                                                + Names{"spheres", "planes", "lights", "triangles",
-                                                        "facets", "vertex_normals", "bvh_nodes"}}),
+            DefaultScene{"09_acceleration",
+                         shaded + tree + Names{"spheres", "planes", "lights"}},
+            DefaultScene{"10_full_tracer",
+                         shaded + tree
+                             + Names{"spheres", "planes", "lights", "textures",
+                                     "vertex_texture_coordinates"}}),
         each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param).stage + "_" + std::get<1>(scene.param);
@@ -181,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
     Stages, Earlier,
     testing::Combine(testing::Values("01_primitives", "02_shading_shadows", "03_reflection_glossy",
                                      "04_refraction_beer", "05_meshes", "06_textures", "08_gamma",
-                                     "09_acceleration"),
+                                     "09_acceleration", "10_full_tracer"),
                      each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param) + "_" + std::get<1>(scene.param);
