@@ -24,15 +24,14 @@ template <typename Number> struct Refraction {
     Number cosine;  // with the normal, behind the surface
 };
 
-// Snell's law, n1 sin1 = n2 sin2. Nothing when all is reflected: also where the normal does not
-// face the ray, as Fresnel's share has then reached 1 (docs/shading.md, "Dielectrics").
+// Snell's law, n1 sin1 = n2 sin2. Nothing when all is reflected.
 template <typename Number>
 std::optional<Refraction<Number>> refract(const Vec<Number> &d, const Vec<Number> &normal,
                                           Number n1, Number n2) {
     const Number ratio = n1 / n2;
     const Number cosine1 = -glm::dot(d, normal);
     const Number sine2_squared = ratio * ratio * (1 - cosine1 * cosine1);
-    if (sine2_squared > 1 || cosine1 <= 0)
+    if (sine2_squared > 1)
         return std::nullopt;
     const Number cosine2 = std::sqrt(1 - sine2_squared);
     return Refraction<Number>{ratio * d + (ratio * cosine1 - cosine2) * normal, cosine2};

@@ -105,8 +105,9 @@ template <typename Number> Vec<Number> Tracer<Number>::dielectric(const Meeting 
     const Hit<Number> &hit = at.hit;
     const auto ior = Number(at.material.ior);
     const Number n1 = hit.from_behind ? ior : 1, n2 = hit.from_behind ? 1 : ior;
-    const auto refraction = refract(at.direction, hit.shading_normal, n1, n2);
     const Number cosine1 = -glm::dot(at.direction, hit.shading_normal);
+    const auto refraction =
+        cosine1 > 0 ? refract(at.direction, hit.shading_normal, n1, n2) : std::nullopt;
     const auto share = settings_.fresnel == Fresnel::exact ? fresnel<Number> : schlick<Number>;
     const Number F = refraction ? share(n1, n2, cosine1, refraction->cosine) : 1;
 

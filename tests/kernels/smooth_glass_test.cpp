@@ -58,7 +58,7 @@ TEST_P(KernelsStage10SmoothGlass, InterfacesMatchDouble) {
         if (!snell.certain || std::abs(cosine) < 4 * ulp) {
             continue;
         }
-        const auto truth = reference::refract(d, n, n1, n2);
+        const auto truth = cosine > 0 ? reference::refract(d, n, n1, n2) : std::nullopt;
         const double share = truth ? reference::schlick(n1, n2, cosine, truth->cosine) : 1;
         const double rounding = 2 * ulp * (1 + n1 / n2) + snell.cosine_rounding;
         reflectance.compare(i, results[i].w, share, truth ? 4 * ulp + 5 * rounding : 0);
