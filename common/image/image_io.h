@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Pictures out and goldens in, through OpenImageIO.
+// Pictures out.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <vector>
 
 #include "image/image.h"
 #include "image/transfer.h"
@@ -20,16 +18,5 @@ void require_writable(const std::filesystem::path &file);
 // (a full disk) leaves no half picture and the old one as it was. Throws UserError.
 void write_image(const Image &image, const std::filesystem::path &file, Transfer encode,
                  bool split = false);
-
-// A golden picture: 16-bit float EXR with the channels R, G, B, edge.
-struct Golden {
-    Image image;
-    std::vector<std::uint8_t> edge;  // 1 where the pixel is on an edge; width * height
-};
-
-void write_golden(const Golden &golden, const std::filesystem::path &file);
-
-// Throws UserError when the file is missing, truncated, without those four channels, or has a NaN.
-Golden read_golden(const std::filesystem::path &file);
 
 }  // namespace stagelight

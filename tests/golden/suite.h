@@ -9,8 +9,8 @@
 
 #include "device/methods.h"
 #include "image/compare.h"
+#include "image/golden_file.h"
 #include "image/image.h"
-#include "image/image_io.h"
 #include "reference/reference.h"
 
 namespace stagelight::golden {

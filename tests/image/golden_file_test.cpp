@@ -5,6 +5,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "image/fixture.h"
+#include "image/golden_file.h"
 #include "image/image_io.h"
 
 namespace stagelight {
