@@ -65,7 +65,7 @@ std::deque<RungName> ladder_of(Display display) {
 }
 
 RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const ViewFigures &seen,
-                      const Scene &scene) {
+                      const Scene &scene, const Startup &startup) {
     RunFigures figures;
     for (const FrameTimes &frame : seen.frames) {
         figures.frames.push_back(frame.milliseconds);
@@ -73,6 +73,7 @@ RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const
     figures.rays = seen.rays;
     figures.brightest = brightest(scene);
     figures.bytes_on_device = pipeline.bytes();
+    figures.startup = startup;
     figures.display = {.rung = to_string(pipeline.rung()),
                        .reason = pipeline.reason(),
                        .api = window.api() == ContextApi::egl ? "egl" : "glx",
@@ -84,9 +85,10 @@ RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const
 }
 
 void show_in(Window &window, const std::string &stage, const Options &options, const Scene &scene,
-             const RenderSettings &settings) {
+             const RenderSettings &settings, Startup &startup) {
     FramePipeline pipeline(device_for(window, options), window.api(), stage, scene, settings,
                            ladder_of(options.display), options.texture_format);
+    startup.built(pipeline.stage_kernel());
     Viewer viewer(window, pipeline, stage, scene, view_of(stage, options));
     const ViewFigures seen = viewer.run();
     if (options.out) {
@@ -94,8 +96,9 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
                     options.split);
     }
     if (!seen.frames.empty()) {
+        startup.done("first_frame", seen.first_shown);
         report(stage, pipeline.device(), pipeline.stage_kernel(), pipeline.settings(),
-               figures_of(window, pipeline, seen, scene), options.stats);
+               figures_of(window, pipeline, seen, scene, startup), options.stats);
     }
     if (options.out) {
         fmt::print("wrote {}\n", options.out->string());
@@ -105,7 +108,7 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
 }  // namespace
 
 Shown show(const std::string &stage, const Options &options, const Scene &scene,
-           const RenderSettings &settings) {
+           const RenderSettings &settings, Startup &startup) {
     require_outputs(options);
     std::optional<Window> window;
     try {
@@ -116,8 +119,9 @@ Shown show(const std::string &stage, const Options &options, const Scene &scene,
         }
         return {false, error.what()};
     }
+    startup.done("window");
     try {
-        show_in(*window, stage, options, scene, settings);
+        show_in(*window, stage, options, scene, settings, startup);
         return {true, ""};
     } catch (const RungLost &lost) {
         if (options.window) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/options.h"
+#include "app/startup.h"
 #include "device/stage_kernel.h"
 #include "scene/scene.h"
 
@@ -18,6 +19,6 @@ struct Shown {
 // Shows the scene until the window is closed, on the rung of `options` or one below it. Where no
 // window is to be had, throws MachineError if one was demanded, else says why.
 Shown show(const std::string &stage, const Options &options, const Scene &scene,
-           const RenderSettings &settings);
+           const RenderSettings &settings, Startup &startup);
 
 }  // namespace stagelight

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/stage_program.h"
 
+#include <future>
+
 #include <fmt/format.h>
 
 #include "app/options.h"
 #include "app/run_main.h"
 #include "app/show.h"
+#include "app/startup.h"
 #include "app/stats.h"
 #include "device/device_choice.h"
 #include "device/renderer.h"
@@ -43,53 +46,72 @@ RenderSettings settings_of(const Options &options, const Scene &scene, int stage
     return settings;
 }
 
+// OpenCL's drivers load when they are first asked for, which takes as long as to read a scene. What
+// is wrong with them is told by who needs them.
+void load_drivers() {
+    all_devices();
+}
+
 int draw(const std::string &stage, const Options &options, const Scene &scene,
-         const RenderSettings &settings, const std::string &reason) {
+         const RenderSettings &settings, const std::string &reason, Startup &startup) {
     const std::filesystem::path out = options.out.value_or(default_out(stage));
     const cl::Device device = choose_device(options.device);
     require_outputs(out, options);
 
     Renderer renderer(device, stage, scene, settings);
+    startup.built(renderer.stage_kernel());
     RunFigures figures;
     figures.display.reason = reason;
     Frame frame;
     for (int i = 0; i < options.frames.value_or(1); ++i) {
         frame = renderer.render();
+        if (i == 0) {
+            startup.done("first_frame");
+        }
         figures.frames.push_back(frame.milliseconds);
     }
     figures.rays = frame.rays;
     figures.brightest = brightest(scene);
     figures.bytes_on_device = renderer.bytes();
 
+    startup.skip();  // the frames after the first
     write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
+    startup.done("write");
+    figures.startup = startup;
     report(stage, device, renderer.stage_kernel(), settings, figures, options.stats);
     fmt::print("wrote {}\n", out.string());
     return exit_done;
 }
 
-int run(const std::string &stage, const Options &options) {
+int run(const std::string &stage, const Options &options, Startup &startup) {
+    startup.done("start");
+    const std::future<void> drivers = std::async(std::launch::async, load_drivers);
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {
         fmt::print(stderr, "warning: {}\n", line);
     }
     const RenderSettings settings = settings_of(options, scene, stage_number(stage));
+    startup.done("scene");
+    drivers.wait();
     std::string reason = "no window was asked for";
     if (options.display != Display::none) {
-        const Shown shown = show(stage, options, scene, settings);
+        const Shown shown = show(stage, options, scene, settings, startup);
         if (shown.done) {
             return exit_done;
         }
         reason = shown.reason;
         fmt::print("display: none: {}\n", reason);
+        startup.done("window");
     }
-    return draw(stage, options, scene, settings, reason);
+    return draw(stage, options, scene, settings, reason, startup);
 }
 
 }  // namespace
 
 int run_stage(const std::string &stage, int argc, const char *const *argv) {
     return run_main([&]() -> int {
+        Startup startup;
         const std::optional<Options> options = parse_options(stage, argc, argv);
         if (!options) {
             return exit_done;
@@ -98,7 +120,7 @@ int run_stage(const std::string &stage, int argc, const char *const *argv) {
             fmt::print("{}", list_devices());
             return exit_done;
         }
-        return run(stage, *options);
+        return run(stage, *options, startup);
     });
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/startup.h"
 #include "device/stage_kernel.h"
 #include "display/viewer.h"
 
@@ -34,10 +35,12 @@ struct RunFigures {
     double brightest = 0;        // of the scene (scene/brightest.h)
     std::map<std::string, std::size_t> bytes_on_device;
     DisplayFigures display;
+    Startup startup;
 };
 
-// Device, driver, build options, milliseconds, rays by kind, dropped rays, bytes on the device,
-// what the scene needed and what was left out, and how the frames came to the window.
+// Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
+// dropped rays, bytes on the device, what the scene needed and what was left out, and how the frames
+// came to the window.
 std::string stats_json(const std::string &stage, const cl::Device &device,
                        const StageKernel &kernel, const RenderSettings &settings,
                        const RunFigures &figures);

@@ -2,13 +2,13 @@
 #include "device/renderer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include <fmt/format.h>
 #include <glm/vec4.hpp>
 
 #include "device/device_types.h"
+#include "scene/clock.h"
 #include "scene/errors.h"
 
 namespace stagelight {
@@ -42,11 +42,10 @@ double Renderer::launch(device::float2 sample) {
     camera_.sample = sample;
     kernel_.clear_ray_counts(queue_, settings_.height);
     queue_.finish();
-    const auto start = std::chrono::steady_clock::now();
+    const double start = now_milliseconds();
     kernel_.launch(queue_, image_, camera_);
     queue_.finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
+    return now_milliseconds() - start;
 }
 
 Frame Renderer::render() {

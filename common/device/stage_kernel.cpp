@@ -2,12 +2,12 @@
 #include "device/stage_kernel.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <fmt/format.h>
 
 #include "device/kernel_source.h"
 #include "image/split.h"
+#include "scene/clock.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 
@@ -123,12 +123,14 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)) {
+    double start = now_milliseconds();
     Bvh bvh;
     if (stage_number(stage) >= acceleration_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
         bvh = build_bvh(scene, std::stoi(choice(settings.methods, "nodes")));
     }
+    milliseconds_.tree = now_milliseconds() - start;
     if (!bvh.nodes.empty()) {
         needs_.emplace_back("BVH_WIDTH", bvh.width);
         needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
@@ -138,16 +140,17 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         options_ += " -D PICTURE_IS_IMAGE=1";
     }
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
-    const auto start = std::chrono::steady_clock::now();
+    start = now_milliseconds();
     kernel_ = render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
-    build_milliseconds_ =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    milliseconds_.kernel = now_milliseconds() - start;
+    start = now_milliseconds();
     scene_.emplace(context, device, kernel_, scene,
                    decode_of(stage_number(stage), settings.methods), bvh);
     learn_arguments();
     if (settings.split && scene_->textures()) {
         plain_textures_.emplace(context, device, scene, Transfer::none);
     }
+    milliseconds_.upload = now_milliseconds() - start;
     make_room_for_ray_counts(settings.height);
 }
 

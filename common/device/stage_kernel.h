@@ -46,6 +46,13 @@ struct RayTotals {
     std::uint64_t traced() const { return primary + shadow + reflection + refraction; }
 };
 
+// What making a StageKernel has taken, milliseconds.
+struct BuildTimes {
+    double tree = 0;    // of boxes over the triangles
+    double kernel = 0;  // the driver's compiler, or its cache
+    double upload = 0;  // scene and textures, converted and copied
+};
+
 // -cl-std and the names that kernels/ are built with for a scene and its methods.
 std::string build_options(const SceneNeeds &needs, const Methods &methods);
 
@@ -76,7 +83,7 @@ public:
     const cl::Kernel &kernel() const { return kernel_; }
     const SceneNeeds &needs() const { return needs_; }
     const std::string &options() const { return options_; }
-    double build_milliseconds() const { return build_milliseconds_; }
+    const BuildTimes &milliseconds() const { return milliseconds_; }
     // What lies on the device, by argument; the picture is not the kernel's.
     std::map<std::string, std::size_t> bytes() const;
 
@@ -94,7 +101,7 @@ private:
     std::optional<TextureArray> plain_textures_;  // not decoded, for the right half of a split
     std::optional<cl::Buffer> ray_counts_;
     int width_ = 1;  // pixels of a work-item
-    double build_milliseconds_ = 0;
+    BuildTimes milliseconds_;
 };
 
 // The rows' sum, and a primary ray for each of `pixels`.

@@ -6,6 +6,7 @@
 
 #include "device/stage_kernel.h"
 #include "display/float_texture.h"
+#include "scene/clock.h"
 
 namespace stagelight {
 
@@ -15,9 +16,6 @@ struct Interval {
     double end = 0;
     double length() const { return end - begin; }
 };
-
-// The host's steady clock now, milliseconds.
-double now_milliseconds();
 
 struct FinishedFrame {
     RayTotals rays;

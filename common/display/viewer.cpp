@@ -131,6 +131,9 @@ void Viewer::finish_frame() {
     const double before = figures_.frames.empty() ? 0 : figures_.frames.back().present.end;
     times.milliseconds = times.present.end - std::max(started_.front(), before);
     started_.pop_front();
+    if (figures_.frames.empty()) {
+        figures_.first_shown = times.present.end;
+    }
     keep(times);
     figures_.rays = frame->rays;
     update_title();

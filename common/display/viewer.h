@@ -37,8 +37,9 @@ struct FrameTimes {
 
 struct ViewFigures {
     std::vector<FrameTimes> frames;
-    RayTotals rays;  // of the last frame
-    Image picture;   // the last frame, read back from the texture
+    double first_shown = 0;  // when the first frame was on the screen, now_milliseconds
+    RayTotals rays;          // of the last frame
+    Image picture;           // the last frame, read back from the texture
 };
 
 class Viewer {

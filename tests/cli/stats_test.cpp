@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // --stats and --frames: what a run has cost, as JSON.
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,13 @@ protected:
         return json::parse(std::ifstream(folder.path() / "stats.json"));
     }
     const std::string &said() const { return said_; }
+    static std::vector<std::string> keys_of(const json &object) {
+        std::vector<std::string> keys;
+        for (const auto &[key, value] : object.items()) {
+            keys.push_back(key);
+        }
+        return keys;
+    }
 
 private:
     mutable std::string said_;
@@ -31,6 +39,7 @@ private:
 class Stage01Stats : public StatsFile {};
 class Stage04Stats : public StatsFile {};
 class Stage08Stats : public StatsFile {};
+class Stage09Stats : public StatsFile {};
 
 TEST_F(Stage01Stats, HaveATimeForEachFrame) {
     const json stats = this->stats("01_primitives", {"--frames", "4"});
@@ -71,6 +80,35 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
     EXPECT_EQ(stats.at("rays"),
               json({{"primary", 32 * 20}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}));
     EXPECT_EQ(stats.at("dropped_rays"), 0);
+}
+
+// The parts follow each other, so that their sum is the whole way. A tick of the clock that says
+// when a process started is 10 ms.
+TEST_F(Stage09Stats, NameThePartsFromStartToPicture) {
+    const auto began = std::chrono::steady_clock::now();
+    const json startup = this->stats("09_acceleration", {"--frames", "3"}).at("startup");
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
+    EXPECT_EQ(keys_of(startup),
+              (std::vector<std::string>{"device", "first_frame", "kernel", "scene", "start",
+                                        "total", "tree", "upload", "write"}));
+    double sum = 0;
+    for (const auto &[part, milliseconds] : startup.items()) {
+        EXPECT_GE(milliseconds, 0) << part;
+        sum += part == "total" ? 0 : milliseconds.get<double>();
+    }
+    EXPECT_NEAR(startup.at("total"), sum, 1e-6);
+    EXPECT_LT(sum, took.count() + 20) << "more than the program was there";
+    for (const char *part : {"start", "scene", "tree", "kernel", "first_frame", "write"}) {
+        EXPECT_GT(startup.at(part), 0) << part;
+    }
+    expect_part(said(), "from start to picture: ");
+}
+
+// OpenImageIO brings 240 libraries, which take 0.3 s of every start. The loader says what it loads.
+TEST_F(Stage09Stats, NeedNoOpenImageIo) {
+    const Outcome outcome = run("09_acceleration", Start{{}, {"LD_TRACE_LOADED_OBJECTS=1"}});
+    expect_part(outcome.out, "libassimp");
+    EXPECT_EQ(outcome.out.find("libOpenImageIO"), std::string::npos) << outcome;
 }
 
 TEST_F(Stage04Stats, CountRaysSamplesAndDroppedRays) {

@@ -80,6 +80,7 @@ TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
         EXPECT_EQ(stats().at("rung"), rung);
         EXPECT_EQ(stats().at("framebuffer"), nlohmann::json({32, 20}));
         EXPECT_EQ(stats().at("timeline").size(), 8);
+        expect_part(outcome.out, "from start to picture: ");
     }
 }
 
