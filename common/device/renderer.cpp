@@ -4,32 +4,19 @@
 #include <algorithm>
 #include <vector>
 
-#include <fmt/format.h>
 #include <glm/vec4.hpp>
 
 #include "device/device_types.h"
+#include "device/memory_need.h"
 #include "scene/clock.h"
-#include "scene/errors.h"
 
 namespace stagelight {
-
-std::size_t picture_bytes(const cl::Device &device, int width, int height) {
-    const std::size_t bytes =
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * sizeof(device::float4);
-    const std::size_t largest = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-    if (bytes > largest) {
-        throw UserError(fmt::format(
-            "a picture of {}x{} pixels needs {} bytes; this device takes at most {} at once", width,
-            height, bytes, largest));
-    }
-    return bytes;
-}
 
 Renderer::Renderer(const cl::Device &device, const std::string &stage, const Scene &scene,
                    const RenderSettings &settings)
     : device_(device), settings_(settings), context_(device), queue_(context_, device),
-      image_(context_, CL_MEM_WRITE_ONLY, picture_bytes(device, settings.width, settings.height)),
       kernel_(context_, device, stage, scene, settings),
+      image_(context_, CL_MEM_WRITE_ONLY, picture_bytes(device, settings.width, settings.height)),
       camera_(to_device(scene.camera, settings.width, settings.height)) {}
 
 std::map<std::string, std::size_t> Renderer::bytes() const {

@@ -18,7 +18,7 @@ struct Frame {
 
 class Renderer {
 public:
-    // Throws as StageKernel does, and UserError for a picture that is more than the device takes.
+    // Throws as StageKernel does.
     Renderer(const cl::Device &device, const std::string &stage, const Scene &scene,
              const RenderSettings &settings);
 
@@ -36,12 +36,9 @@ private:
     RenderSettings settings_;
     cl::Context context_;
     cl::CommandQueue queue_;
-    cl::Buffer image_;
     StageKernel kernel_;
+    cl::Buffer image_;
     device::Camera camera_;
 };
-
-// What a picture takes as a buffer. Throws UserError where that is more than the device takes.
-std::size_t picture_bytes(const cl::Device &device, int width, int height);
 
 }  // namespace stagelight

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "device/kernel_source.h"
+#include "device/memory_need.h"
 #include "image/split.h"
 #include "scene/clock.h"
 #include "scene/errors.h"
@@ -123,6 +124,9 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)) {
+    const Transfer decode = decode_of(stage_number(stage), settings.methods);
+    require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
+                   settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
     double start = now_milliseconds();
     Bvh bvh;
     if (stage_number(stage) >= acceleration_stage) {
@@ -144,8 +148,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     kernel_ = render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
     milliseconds_.kernel = now_milliseconds() - start;
     start = now_milliseconds();
-    scene_.emplace(context, device, kernel_, scene,
-                   decode_of(stage_number(stage), settings.methods), bvh);
+    scene_.emplace(context, device, kernel_, scene, decode, bvh);
     learn_arguments();
     if (settings.split && scene_->textures()) {
         plain_textures_.emplace(context, device, scene, Transfer::none);

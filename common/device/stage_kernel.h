@@ -66,8 +66,8 @@ device::float2 sample_point(int index, int count);
 
 class StageKernel {
 public:
-    // `stage` is its folder's name, "04_refraction_beer". Throws as build_program and
-    // DeviceScene do.
+    // `stage` is its folder's name, "04_refraction_beer". Throws as require_memory, build_program
+    // and DeviceScene do.
     StageKernel(const cl::Context &context, const cl::Device &device, const std::string &stage,
                 const Scene &scene, const RenderSettings &settings,
                 Picture picture = Picture::buffer);

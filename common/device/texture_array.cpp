@@ -80,6 +80,17 @@ cl::Image2DArray make_image(const cl::Context &context, const std::vector<Textur
             texels.data()};
 }
 
+// Width and height of the largest, with its border.
+std::pair<std::size_t, std::size_t> layer_size(const Scene &scene) {
+    int width = 0;
+    int height = 0;
+    for (const Texture &texture : scene.textures) {
+        width = std::max(width, texture.width + 2);
+        height = std::max(height, texture.height + 2);
+    }
+    return {width, height};
+}
+
 void require_size(const Texture &texture, std::size_t largest_width, std::size_t largest_height) {
     if (static_cast<std::size_t>(texture.width) + 2 > largest_width
         || static_cast<std::size_t>(texture.height) + 2 > largest_height) {
@@ -91,24 +102,26 @@ void require_size(const Texture &texture, std::size_t largest_width, std::size_t
 
 }  // namespace
 
+std::size_t texture_bytes(const Scene &scene, Transfer decode) {
+    const auto [width, height] = layer_size(scene);
+    return scene.textures.size() * width * height * channels
+           * (decode == Transfer::none ? sizeof(std::uint8_t) : sizeof(cl_half));
+}
+
 TextureArray::TextureArray(const cl::Context &context, const cl::Device &device, const Scene &scene,
                            Transfer decode) {
     if (device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_FALSE) {
         throw MachineError(device.getInfo<CL_DEVICE_NAME>()
                            + " has no images, which textures need; choose another --device");
     }
-    std::size_t width = 0;
-    std::size_t height = 0;
     for (const Texture &texture : scene.textures) {
         require_size(texture, device.getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>(),
                      device.getInfo<CL_DEVICE_IMAGE2D_MAX_HEIGHT>());
-        width = std::max(width, static_cast<std::size_t>(texture.width) + 2);
-        height = std::max(height, static_cast<std::size_t>(texture.height) + 2);
     }
+    const auto [width, height] = layer_size(scene);
     const std::size_t layers = scene.textures.size();
     const bool decoded = decode != Transfer::none;
-    bytes_ =
-        layers * width * height * channels * (decoded ? sizeof(cl_half) : sizeof(std::uint8_t));
+    bytes_ = texture_bytes(scene, decode);
     if (layers > device.getInfo<CL_DEVICE_IMAGE_MAX_ARRAY_SIZE>()
         || bytes_ > device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) {
         throw UserError(fmt::format(

@@ -10,6 +10,9 @@
 
 namespace stagelight {
 
+// What an array of the scene's textures takes.
+std::size_t texture_bytes(const Scene &scene, Transfer decode);
+
 // One layer a texture, RGBA, as wide and high as the largest of them and two texels
 // more: kernels/texture.cl wants a border of one texel, copied from the opposite edge.
 //

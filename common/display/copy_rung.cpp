@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "device/renderer.h"
+#include "device/memory_need.h"
 
 namespace stagelight {
 

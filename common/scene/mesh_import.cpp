@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene/mesh_import.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <ranges>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
+#include <unistd.h>
 
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
@@ -54,11 +58,20 @@ void for_each_placed(const aiScene &scene, const glm::dmat4 &placing, const Visi
     }
 }
 
+// Three vertices each, their indices have 32 bits; half a vertex each, as in a grid, they fit the
+// machine.
+std::uint64_t most_triangles() {
+    const auto memory = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES))
+                        * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+    return std::min<std::uint64_t>(std::numeric_limits<std::uint32_t>::max() / 3,
+                                   memory / (sizeof(Triangle) + sizeof(Vertex) / 2));
+}
+
 }  // namespace
 
 void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
                  int material, const SourceLocation &where) {
-    const auto refuse = [&](const char *what) {
+    const auto refuse = [&](const std::string &what) {
         throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
     };
     const MeshFile meshes(file, where);
@@ -66,6 +79,14 @@ void import_mesh(Scene &scene, const std::filesystem::path &file, const Placemen
     const bool needs_coordinates =
         material != material_of_file
         && scene.materials[static_cast<std::size_t>(material)].texture != no_texture;
+    std::uint64_t faces = scene.triangles.size();
+    for_each_placed(meshes.scene(), glm::dmat4(1),
+                    [&](const aiMesh &mesh, const glm::dmat4 &) { faces += mesh.mNumFaces; });
+    if (faces > most_triangles()) {
+        refuse(fmt::format("makes {} triangles of the scene, expected at most {}, what memory and "
+                           "indices hold",
+                           faces, most_triangles()));
+    }
     const std::size_t triangles_before = scene.triangles.size();
     scene.meshes.push_back({.file = file, .where = where});
     for_each_placed(

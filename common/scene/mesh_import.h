@@ -28,7 +28,7 @@ constexpr int material_of_file = -1;
 // Polygons are triangulated; points and lines are left out; normals are made where
 // the file has none. Throws UserError at `where` for a file that is missing, not a
 // mesh, without triangles, with an index out of range, with a position that is not
-// finite, or with a node graph that is no tree.
+// finite, with a node graph that is no tree, or with more triangles than memory holds.
 void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
                  int material, const SourceLocation &where);
 

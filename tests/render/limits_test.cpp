@@ -57,5 +57,25 @@ TEST_P(Stage06Limits, OfThePicture) {
     expect_refused(scene, settings, std::size_t(65536) * std::size_t(settings.height) * 16, most);
 }
 
+// Each of them within its limits, and all together beyond the device's memory.
+TEST_P(Stage06Limits, OfAllTogether) {
+    const cl::Device device = choose_device(GetParam());
+    const std::size_t most = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
+    const std::size_t had = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    const std::size_t each = 4096 * 4096 * 4;
+    const std::size_t count = most / each / 2;
+    const Scene scene = textured(count, 4094, 4094);
+    RenderSettings settings = settings_of(scene);
+    settings.samples = 2;
+    settings.width = 65536;
+    settings.height = int(most / 16 / 65536);
+    const std::size_t pictures =
+        3 * std::size_t(settings.width) * std::size_t(settings.height) * 16;
+    if (count * each + pictures <= had) {
+        GTEST_SKIP() << "all that this device takes at once is less than its memory";
+    }
+    expect_refused(scene, settings, count * each + pictures, had);
+}
+
 }  // namespace
 }  // namespace stagelight::render

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <numeric>
 #include <ostream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/import.h"
@@ -92,6 +94,43 @@ TEST(MeshErrors, IndexOutOfRangeInAFileThatAssimpTakes) {
                                          "property list uchar int vertex_indices\nend_header\n"
                                          "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"),
                    "index out of range");
+}
+
+TEST(MeshErrors, CoordinatesThatAreNoNumbers) {
+    const TemporaryFolder folder;
+    for (const std::string number : {"nan", "-nan", "inf", "-inf"}) {
+        expect_refusal(folder.write("a.obj", "v 0 0 0\nv " + number + " 0 0\nv 0 1 0\nf 1 2 3\n"),
+                       "not finite");
+        expect_refusal(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"
+                                             "property float x\nproperty float y\n"
+                                             "property float z\nelement face 1\n"
+                                             "property list uchar int vertex_indices\nend_header\n"
+                                             "0 0 0\n1 0 0\n0 1 "
+                                                 + number + "\n3 0 1 2\n"),
+                       "not finite");
+    }
+}
+
+// {{ and }} are fmt's braces.
+constexpr const char *often_placed = R"({{"asset": {{"version": "2.0"}}, "scene": 0,
+"scenes": [{{"nodes": [{0}]}}], "nodes": [{1}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+"buffers": [{{"uri": "a.bin", "byteLength": {2}}}], "bufferViews": [{{"buffer": 0, "byteLength": {2}}}],
+"accessors": [{{"bufferView": 0, "componentType": 5126, "count": {3}, "type": "VEC3"}}]}})";
+
+// A file of a few megabytes can place its mesh any number of times.
+TEST(MeshErrors, MoreTrianglesThanMemoryHolds) {
+    constexpr int triangles = 100000;
+    constexpr std::size_t nodes = 21475;  // which makes 2^31
+    const TemporaryFolder folder;
+    folder.write("a.bin", std::string(triangles * 36, '\0'));
+    std::vector<std::size_t> names(nodes);
+    std::iota(names.begin(), names.end(), 0);
+    const std::vector<std::string> placed(nodes, R"({"mesh": 0})");
+    expect_refusal(
+        folder.write("a.gltf", fmt::format(often_placed, fmt::join(names, ","),
+                                           fmt::join(placed, ","), triangles * 36, triangles * 3)),
+        "makes 2147500000 triangles of the scene, expected at most ");
 }
 
 TEST(MeshErrors, OnlyTrianglesWithoutArea) {
