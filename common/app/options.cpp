@@ -75,7 +75,9 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
                    "picture to write, .png or .exr (linear float); with a window, its last one "
                    "(default: "
                        + default_out(stage).string() + ", where there is no window)");
-    app.add_option("--samples", options.samples, "rays through each pixel")
+    app.add_option(
+           "--samples", options.samples,
+           "rays through each pixel; in a window they come one by one while nothing changes")
         ->check(CLI::Range(1, most_samples))
         ->capture_default_str();
     app.add_option("--depth", options.depth, "bounces (default: the scene's)")
@@ -84,8 +86,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
                    "index, name part, cpu or gpu (default: STAGELIGHT_DEVICE, else the first GPU, "
                    "else the first device)");
     app.add_option("--frames", options.frames,
-                   "render the picture this often, for --stats (default: once, and in a window "
-                   "whenever something changes)")
+                   "render the picture, with all of its samples, this often, for --stats (default: "
+                   "once, and in a window whenever something changes)")
         ->check(CLI::Range(1, most_frames));
     app.add_flag("--window", options.window,
                  "open a window: F1 shows its keys (else --display none, but for 07_interop)");

@@ -26,9 +26,6 @@ void require_outputs(const Options &options) {
     if (options.stats) {
         require_writable_place(*options.stats);
     }
-    if (options.samples > 1) {
-        throw UserError("--samples: a window shows one sample a pixel; --display none takes more");
-    }
 }
 
 cl::Device device_for(const Window &window, const Options &options) {

@@ -25,12 +25,11 @@ std::map<std::string, std::size_t> Renderer::bytes() const {
     return bytes;
 }
 
-double Renderer::launch(device::float2 sample) {
-    camera_.sample = sample;
+double Renderer::launch(int sample) {
     kernel_.clear_ray_counts(queue_, settings_.height);
     queue_.finish();
     const double start = now_milliseconds();
-    kernel_.launch(queue_, image_, camera_);
+    kernel_.launch(queue_, image_, camera_, sample);
     queue_.finish();
     return now_milliseconds() - start;
 }
@@ -41,20 +40,14 @@ Frame Renderer::render() {
     std::vector<glm::vec4> pixels(frame.image.pixels.size());
     std::vector<device::RayCounts> rows;
     for (int i = 0; i < settings_.samples; ++i) {
-        frame.milliseconds += launch(sample_point(i, settings_.samples));
+        frame.milliseconds += launch(i);
         kernel_.read_ray_counts(queue_, rows);
-        queue_.enqueueReadBuffer(image_, CL_TRUE, 0, pixels.size() * sizeof pixels[0],
-                                 pixels.data());
+        queue_.finish();
         frame.rays += totals_of(rows, pixels.size());
-        std::ranges::transform(
-            pixels, frame.image.pixels, frame.image.pixels.begin(),
-            [](const glm::vec4 &pixel, const glm::vec3 &sum) { return sum + glm::vec3(pixel); });
     }
-    if (settings_.samples > 1) {
-        for (glm::vec3 &pixel : frame.image.pixels) {
-            pixel /= static_cast<float>(settings_.samples);
-        }
-    }
+    queue_.enqueueReadBuffer(image_, CL_TRUE, 0, pixels.size() * sizeof pixels[0], pixels.data());
+    std::ranges::transform(pixels, frame.image.pixels.begin(),
+                           [](const glm::vec4 &pixel) { return glm::vec3(pixel); });
     return frame;
 }
 

@@ -30,7 +30,7 @@ public:
     std::map<std::string, std::size_t> bytes() const;
 
 private:
-    double launch(device::float2 sample);  // milliseconds
+    double launch(int sample);  // milliseconds
 
     cl::Device device_;
     RenderSettings settings_;

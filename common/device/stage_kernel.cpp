@@ -15,6 +15,8 @@
 namespace stagelight {
 namespace {
 
+const std::string language = "-cl-std=CL1.2";
+
 constexpr std::size_t group_width = 8;
 constexpr std::size_t group_height = 8;
 
@@ -78,7 +80,7 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
 }
 
 std::string build_options(const SceneNeeds &needs, const Methods &methods) {
-    std::string options = "-cl-std=CL1.2 -cl-kernel-arg-info";
+    std::string options = language + " -cl-kernel-arg-info";
     for (const auto &[name, value] : needs) {
         options += fmt::format(" -D {}={}", name, value);
     }
@@ -123,7 +125,8 @@ device::float2 sample_point(int index, int count) {
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
-    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)) {
+    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)),
+      samples_(settings.samples) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
                    settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
@@ -139,13 +142,14 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         needs_.emplace_back("BVH_WIDTH", bvh.width);
         needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
     }
-    options_ = build_options(needs_, settings.methods);
-    if (picture == Picture::image) {
-        options_ += " -D PICTURE_IS_IMAGE=1";
-    }
+    const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
+    options_ = build_options(needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
     start = now_milliseconds();
     kernel_ = render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
+    if (samples_ > 1) {
+        mean_.emplace(context, language + writes, settings.kernels);
+    }
     milliseconds_.kernel = now_milliseconds() - start;
     start = now_milliseconds();
     scene_.emplace(context, device, kernel_, scene, decode, bvh);
@@ -185,6 +189,9 @@ std::map<std::string, std::size_t> StageKernel::bytes() const {
     if (ray_counts_) {
         bytes["ray_counts"] = ray_counts_->getInfo<CL_MEM_SIZE>();
     }
+    if (mean_) {
+        bytes.merge(mean_->bytes());
+    }
     return bytes;
 }
 
@@ -205,6 +212,16 @@ void StageKernel::clear_ray_counts(const cl::CommandQueue &queue, int height) {
 }
 
 void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
+                         const device::Camera &camera, int sample) {
+    device::Camera through = camera;
+    through.sample = sample_point(sample, samples_);
+    render(queue, mean_ ? mean_->sample(camera.size) : image, through);
+    if (mean_) {
+        mean_->add(queue, image, sample);
+    }
+}
+
+void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                          const device::Camera &camera) {
     kernel_.setArg(arguments_.at("image"), image);
     kernel_.setArg(arguments_.at("camera"), camera);

@@ -13,6 +13,7 @@
 #include "device/device_scene.h"
 #include "device/methods.h"
 #include "device/opencl.h"
+#include "device/sample_mean.h"
 #include "device/scene_needs.h"
 #include "scene/scene.h"
 #include "scene_types.h"
@@ -74,9 +75,10 @@ public:
 
     // Makes ready for a picture of `height` rows, and counts rays from 0. In-order, as all here.
     void clear_ray_counts(const cl::CommandQueue &queue, int height);
-    // One sample of each pixel of `camera`'s picture into `image`, which is what `picture` said.
+    // The sample `sample` of each pixel of `camera`'s picture: the mean of it and of those before
+    // it, 0 first, goes into `image`, which is what `picture` said.
     void launch(const cl::CommandQueue &queue, const cl::Memory &image,
-                const device::Camera &camera);
+                const device::Camera &camera, int sample = 0);
     // Without waiting: `rows` is filled when the queue has come that far.
     void read_ray_counts(const cl::CommandQueue &queue, std::vector<device::RayCounts> &rows) const;
 
@@ -90,6 +92,8 @@ public:
 private:
     void learn_arguments();
     void make_room_for_ray_counts(int height);
+    void render(const cl::CommandQueue &queue, const cl::Memory &image,
+                const device::Camera &camera);
     void launch_split(const cl::CommandQueue &queue, int width, int height);
 
     cl::Context context_;
@@ -101,6 +105,8 @@ private:
     std::optional<TextureArray> plain_textures_;  // not decoded, for the right half of a split
     std::optional<cl::Buffer> ray_counts_;
     int width_ = 1;  // pixels of a work-item
+    int samples_;
+    std::optional<SampleMean> mean_;  // of more than one sample
     BuildTimes milliseconds_;
 };
 

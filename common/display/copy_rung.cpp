@@ -63,10 +63,10 @@ void CopyRung::resize(int width, int height) {
 }
 
 // #region copy
-void CopyRung::start(StageKernel &kernel, const device::Camera &camera) {
+void CopyRung::start(StageKernel &kernel, const device::Camera &camera, int sample) {
     Frame &frame = frames_.at(started_++ % frames_.size());
     void *memory = frame.pixels->memory();
-    frame.launch.emplace(queue(), kernel, image_, camera);
+    frame.launch.emplace(queue(), kernel, image_, camera, sample);
     queue().enqueueReadBuffer(image_, CL_FALSE, 0, bytes(), memory, nullptr, &frame.copied);
     queue().flush();
 }

@@ -46,6 +46,7 @@ void FramePipeline::take(RungName name) {
     kernel_.reset();
     rung_.reset();
     in_flight_ = 0;
+    started_ = 0;
     name_ = name;
     rung_ = make_rung(name);
     rung_->resize(settings_.width, settings_.height);
@@ -87,6 +88,7 @@ bool FramePipeline::attempt(const std::function<void()> &action) {
 void FramePipeline::resize(int width, int height) {
     settings_.width = width;
     settings_.height = height;
+    started_ = 0;
     attempt([&] { rung_->resize(width, height); });
 }
 
@@ -95,13 +97,18 @@ void FramePipeline::rebuild(const std::optional<std::filesystem::path> &kernels)
     settings.kernels = kernels;
     kernel_ = build(settings);
     settings_ = settings;
+    started_ = 0;
 }
 
 void FramePipeline::start(const CameraDescription &camera) {
-    device::Camera view = to_device(camera, settings_.width, settings_.height);
-    view.sample = sample_point(0, 1);
-    while (!attempt([&] { rung_->start(*kernel_, view); })) {
+    if (started_ == settings_.samples || !(camera == camera_)) {
+        started_ = 0;
     }
+    camera_ = camera;
+    const device::Camera view = to_device(camera, settings_.width, settings_.height);
+    while (!attempt([&] { rung_->start(*kernel_, view, started_); })) {  // the next begins anew
+    }
+    ++started_;
     ++in_flight_;
 }
 

@@ -34,9 +34,16 @@ public:
     // Builds the kernel anew. Where that throws, the old one stays. No frame is in flight.
     void rebuild(const std::optional<std::filesystem::path> &kernels);
 
-    // A rung that fails here is left for the next one; what was in flight on it is lost. Throws
-    // RungLost when there is none.
+    // Sets the next sample of what that camera sees going: the first one where the camera, the size
+    // or the kernel is another than before, and where all were started. A rung that fails here is
+    // left for the next one; what was in flight on it is lost. Throws RungLost when there is none.
     void start(const CameraDescription &camera);
+    // Whether all samples of what that camera sees were started.
+    bool complete(const CameraDescription &camera) const {
+        return started_ == settings_.samples && camera == camera_;
+    }
+    // How many were, of what the last camera sees.
+    int started() const { return started_; }
     // The frame that was started first is in texture(), unless it was lost.
     std::optional<FinishedFrame> finish();
 
@@ -73,6 +80,8 @@ private:
     std::unique_ptr<Rung> rung_;
     std::optional<StageKernel> kernel_;
     std::size_t in_flight_ = 0;
+    CameraDescription camera_;
+    int started_ = 0;  // samples of what it sees
 };
 
 }  // namespace stagelight

@@ -20,6 +20,7 @@ struct Interval {
 struct FinishedFrame {
     RayTotals rays;
     Interval render;
+    int sample = 0;  // the last of those that the texture shows the mean of
 };
 
 // All of it on the thread whose OpenGL context is current.
@@ -37,8 +38,9 @@ public:
     virtual std::size_t most_in_flight() const = 0;
     // Makes room for pictures of that size in pixels. No frame is in flight.
     virtual void resize(int width, int height) = 0;
-    // Sets the rendering of a frame going, and does not wait for it.
-    virtual void start(StageKernel &kernel, const device::Camera &camera) = 0;
+    // Sets the rendering of a frame, which adds that sample to those before it, going, and does not
+    // wait for it.
+    virtual void start(StageKernel &kernel, const device::Camera &camera, int sample) = 0;
     // Waits for the frame that was started first; then texture() holds it.
     virtual FinishedFrame finish() = 0;
 

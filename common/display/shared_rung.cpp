@@ -53,10 +53,10 @@ std::vector<cl::Event> SharedRung::texture_free() {
 // #endregion texture_free
 
 // #region share
-void SharedRung::start(StageKernel &kernel, const device::Camera &camera) {
+void SharedRung::start(StageKernel &kernel, const device::Camera &camera, int sample) {
     const std::vector<cl::Event> free = texture_free();
     queue().enqueueAcquireGLObjects(&image_, free.empty() ? nullptr : &free);
-    launch_.emplace(queue(), kernel, image_.front(), camera);
+    launch_.emplace(queue(), kernel, image_.front(), camera, sample);
     queue().enqueueReleaseGLObjects(&image_, nullptr, &released_);
     queue().flush();
 }

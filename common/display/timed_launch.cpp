@@ -28,12 +28,13 @@ std::future<double> end_of_commands(const cl::CommandQueue &queue) {
 }  // namespace
 
 TimedLaunch::TimedLaunch(const cl::CommandQueue &queue, StageKernel &kernel,
-                         const cl::Memory &image, const device::Camera &camera)
+                         const cl::Memory &image, const device::Camera &camera, int sample)
     : pixels_(static_cast<std::size_t>(camera.size.s[0])
-              * static_cast<std::size_t>(camera.size.s[1])) {
+              * static_cast<std::size_t>(camera.size.s[1])),
+      sample_(sample) {
     kernel.clear_ray_counts(queue, camera.size.s[1]);
     begin_ = end_of_commands(queue);
-    kernel.launch(queue, image, camera);
+    kernel.launch(queue, image, camera, sample);
     end_ = end_of_commands(queue);
     kernel.read_ray_counts(queue, rows_);
     queue.enqueueMarkerWithWaitList(nullptr, &rows_read_);
@@ -41,7 +42,7 @@ TimedLaunch::TimedLaunch(const cl::CommandQueue &queue, StageKernel &kernel,
 
 FinishedFrame TimedLaunch::finished() {
     rows_read_.wait();
-    return {totals_of(rows_, pixels_), {begin_.get(), end_.get()}};
+    return {totals_of(rows_, pixels_), {begin_.get(), end_.get()}, sample_};
 }
 
 }  // namespace stagelight

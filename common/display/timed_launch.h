@@ -13,13 +13,14 @@ class TimedLaunch {
 public:
     // Enqueues the rendering of one frame into `image`, with nothing waited for.
     TimedLaunch(const cl::CommandQueue &queue, StageKernel &kernel, const cl::Memory &image,
-                const device::Camera &camera);
+                const device::Camera &camera, int sample);
 
     // Waits for the end of the rendering.
     FinishedFrame finished();
 
 private:
     std::size_t pixels_;
+    int sample_;
     std::future<double> begin_;
     std::future<double> end_;
     std::vector<device::RayCounts> rows_;

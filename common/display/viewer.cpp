@@ -32,14 +32,17 @@ Viewer::Viewer(Window &window, FramePipeline &pipeline, const std::string &stage
 
 bool Viewer::done() const {
     return window_.closed()
-           || (view_.frames && figures_.frames.size() >= std::size_t(*view_.frames));
+           || (view_.frames && figures_.frames.size() >= std::size_t(*view_.frames)
+               && shown_ == pipeline_.settings().samples);
 }
 
 bool Viewer::wants_frame() const {
     if (view_.frames) {
-        return figures_.frames.size() + pipeline_.in_flight() < std::size_t(*view_.frames);
+        const auto in_flight = std::ranges::count(started_, true, &Started::begins);
+        return pipeline_.started() % pipeline_.settings().samples != 0
+               || figures_.frames.size() + std::size_t(in_flight) < std::size_t(*view_.frames);
     }
-    return changed_ && framebuffer_.x > 0;
+    return !pipeline_.complete(camera_.camera()) && framebuffer_.x > 0;
 }
 
 // #region loop
@@ -71,7 +74,7 @@ Input Viewer::next_input() {
 
 void Viewer::handle(const Input &input) {
     const double now = now_milliseconds();
-    changed_ |= camera_.update(input, (now - last_input_) / 1000);
+    camera_.update(input, (now - last_input_) / 1000);
     last_input_ = now;
     redraw_ |= input.needs_redraw || input.resized;
     if (input.help) {
@@ -102,14 +105,13 @@ void Viewer::fit_to_window() {
             return std::max(1, static_cast<int>(std::lround(length / view_.scale)));
         };
         pipeline_.resize(pixels(size.x), pixels(size.y));
-        changed_ = true;
     }
 }
 
 void Viewer::start_frame() {
-    changed_ = false;
-    started_.push_back(now_milliseconds());
+    const double at = now_milliseconds();
     pipeline_.start(camera_.camera());
+    started_.push_back({at, pipeline_.started() == 1});
     while (started_.size() > pipeline_.in_flight()) {
         started_.pop_front();  // lost with its rung
     }
@@ -120,7 +122,6 @@ void Viewer::finish_frame() {
     const std::optional<FinishedFrame> frame = pipeline_.finish();
     if (!frame) {  // lost with its rung
         started_.clear();
-        changed_ = true;
         return;
     }
     FrameTimes times;
@@ -129,19 +130,28 @@ void Viewer::finish_frame() {
     draw();
     times.present.end = now_milliseconds();
     const double before = figures_.frames.empty() ? 0 : figures_.frames.back().present.end;
-    times.milliseconds = times.present.end - std::max(started_.front(), before);
+    times.milliseconds = times.present.end - std::max(started_.front().at, before);
     started_.pop_front();
     if (figures_.frames.empty()) {
         figures_.first_shown = times.present.end;
     }
-    keep(times);
-    figures_.rays = frame->rays;
-    update_title();
+    keep(times, *frame);
+    update_title(times.milliseconds, *frame);
 }
 
 // All of a run that is counted; of one that is not, the latest: it may go on for hours.
-void Viewer::keep(const FrameTimes &times) {
+void Viewer::keep(const FrameTimes &times, const FinishedFrame &sample) {
     constexpr std::size_t most = 1000;
+    shown_ = sample.sample + 1;
+    if (sample.sample > 0) {
+        FrameTimes &picture = figures_.frames.back();
+        picture.render.end = times.render.end;
+        picture.present = times.present;
+        picture.milliseconds += times.milliseconds;
+        figures_.rays += sample.rays;
+        return;
+    }
+    figures_.rays = sample.rays;
     if (!view_.frames && figures_.frames.size() == most) {
         figures_.frames.erase(figures_.frames.begin());
     }
@@ -174,7 +184,6 @@ void Viewer::reload() {
     try {
         pipeline_.rebuild(view_.checkout);
         fmt::print("kernels reloaded from {}\n", view_.checkout.string());
-        changed_ = true;
     } catch (const KernelError &error) {
         keep_build_log(error.what());
     } catch (const UserError &error) {  // a file is missing
@@ -207,17 +216,20 @@ void Viewer::take_screenshot() {
     }
 }
 
-void Viewer::update_title() {
+void Viewer::update_title(double milliseconds, const FinishedFrame &sample) {
     const double now = now_milliseconds();
-    if (now - last_title_ < title_period) {
+    const int samples = pipeline_.settings().samples;
+    const bool rests = samples > 1 && shown_ == samples;
+    if (now - last_title_ < title_period && rests == title_rests_) {
         return;
     }
+    title_rests_ = rests;
     last_title_ = now;
-    const FrameTimes &times = figures_.frames.back();
-    window_.set_title(
-        fmt::format("{}  {:.1f} ms  {:.1f} million rays/s  {}  {}", stage_, times.milliseconds,
-                    static_cast<double>(figures_.rays.traced()) / times.render.length() / 1000,
-                    to_string(pipeline_.rung()), pipeline_.device().getInfo<CL_DEVICE_NAME>()));
+    const std::string progress = samples > 1 ? fmt::format("  {}/{} samples", shown_, samples) : "";
+    window_.set_title(fmt::format(
+        "{}  {:.1f} ms{}  {:.1f} million rays/s  {}  {}", stage_, milliseconds, progress,
+        static_cast<double>(sample.rays.traced()) / sample.render.length() / 1000,
+        to_string(pipeline_.rung()), pipeline_.device().getInfo<CL_DEVICE_NAME>()));
 }
 
 }  // namespace stagelight

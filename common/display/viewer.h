@@ -28,11 +28,13 @@ struct ViewSettings {
     std::filesystem::path checkout;     // where R reads the kernels
 };
 
-// When a frame was rendered and when it was brought to the screen.
+// When a frame was rendered and when it was brought to the screen. A frame is a picture with all of
+// its samples, or with those that there was time for before something changed: from the start of
+// its first to the end of its last.
 struct FrameTimes {
     Interval render;
-    Interval present;
-    double milliseconds = 0;  // from its start, or the end of the frame before, to its end
+    Interval present;         // of the last
+    double milliseconds = 0;  // of each from its start, or the end of the one before, to its end
 };
 
 struct ViewFigures {
@@ -51,6 +53,11 @@ public:
     ViewFigures run();
 
 private:
+    struct Started {
+        double at = 0;
+        bool begins = false;  // a picture
+    };
+
     bool done() const;
     bool wants_frame() const;
     Input next_input();
@@ -58,13 +65,13 @@ private:
     void fit_to_window();
     void start_frame();
     void finish_frame();
-    void keep(const FrameTimes &times);
+    void keep(const FrameTimes &times, const FinishedFrame &sample);
     void finish_all();
     void draw();
     void reload();
     void keep_build_log(const std::string &log);
     void take_screenshot();
-    void update_title();
+    void update_title(double milliseconds, const FinishedFrame &sample);
 
     Window &window_;
     FramePipeline &pipeline_;
@@ -73,15 +80,16 @@ private:
     FlyCamera camera_;
     Screen screen_;
     Overlay overlay_;
-    glm::ivec2 framebuffer_;      // its size when the picture's was last fitted to it
-    std::deque<double> started_;  // when each frame in flight was
-    bool changed_ = true;         // what is to be seen is not what was rendered last
-    bool redraw_ = false;         // what is to be seen is not what was drawn last
+    glm::ivec2 framebuffer_;       // its size when the picture's was last fitted to it
+    std::deque<Started> started_;  // what is in flight
+    int shown_ = 0;                // samples of the picture that is shown
+    bool redraw_ = false;          // what is to be seen is not what was drawn last
     bool help_ = false;
     std::vector<std::string> build_log_;  // of the kernel that did not build
     int screenshots_ = 0;
     double last_input_;
     double last_title_ = 0;
+    bool title_rests_ = false;  // it says that all samples are in
     ViewFigures figures_;
 };
 

@@ -31,6 +31,8 @@ struct CameraDescription {
     glm::dvec3 look_at{0, 0, -1};
     glm::dvec3 up{0, 1, 0};
     double fov = 60;  // degrees, horizontal, in (0, 180)
+
+    bool operator==(const CameraDescription &) const = default;
 };
 
 enum class MaterialType { diffuse, mirror, glossy, dielectric };

@@ -115,6 +115,9 @@ TEST_F(Stage04Stats, CountRaysSamplesAndDroppedRays) {
     const json stats = this->stats("04_refraction_beer",
                                    {"--samples", "2", "--depth", "3", "--method", "interior=full"});
     EXPECT_EQ(stats.at("samples"), 2);
+    for (const char *picture : {"image", "sample", "sample_sum"}) {
+        EXPECT_EQ(stats.at("bytes_on_device").at(picture), 32 * 20 * 16) << picture;
+    }
     EXPECT_EQ(stats.at("max_depth"), 3);
     EXPECT_EQ(stats.at("methods"), json({{"interior", "full"}}));
     EXPECT_EQ(stats.at("needs").at("MAX_DEPTH"), 3);

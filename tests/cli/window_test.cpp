@@ -63,8 +63,6 @@ TEST_F(Stage07WithoutDisplay, OptionsThatContradictAreRefused) {
     expect_one_line(run("01_primitives", {"--display", "screen"}), users_mistake, "--display");
     expect_one_line(run("01_primitives", {"--texture", "rgba8"}), users_mistake, "--texture");
     expect_one_line(run("01_primitives", {"--scale", "0.5"}), users_mistake, "--scale");
-    expect_one_line(run("01_primitives", {"--window", "--samples", "4"}), users_mistake,
-                    "--samples");
 }
 
 TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
@@ -81,6 +79,20 @@ TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
         EXPECT_EQ(stats().at("framebuffer"), nlohmann::json({32, 20}));
         EXPECT_EQ(stats().at("timeline").size(), 8);
         expect_part(outcome.out, "from start to picture: ");
+    }
+}
+
+// A frame is a picture with all of its samples, whether there is a window or not.
+TEST_F(Stage07Window, AddsSamplesOnEachRungAsWithoutOne) {
+    expect_done(show("07_interop", {"--out", "none.exr", "--samples", "5"}));
+    for (const std::string rung : {"shared", "copy"}) {
+        expect_done(show("07_interop",
+                         {"--display", rung, "--frames", "2", "--samples", "5", "--out",
+                          rung + ".exr", "--stats", "stats.json"},
+                         {layer}));
+        EXPECT_EQ(largest_difference(picture("none.exr"), picture(rung + ".exr")), 0) << rung;
+        EXPECT_EQ(stats().at("rung"), rung);
+        EXPECT_EQ(stats().at("timeline").size(), 2);
     }
 }
 

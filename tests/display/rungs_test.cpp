@@ -71,6 +71,27 @@ TEST_P(Stage07Rungs, ShowWhatIsRenderedWithoutAWindow) {
     expect_same(seen.picture, without_window(device, "07_interop", scene));
 }
 
+// A mean of seven, which no power of two divides: the same sum in the same order, and the same
+// division.
+TEST_P(Stage07Rungs, AddSamplesToWhatIsRenderedWithoutAWindow) {
+    const auto &[device, rung, api] = GetParam();
+    const Scene scene = scene_of("07_interop");
+    RenderSettings settings = small_settings(scene);
+    settings.samples = 7;
+    const Image exact =
+        Renderer(choose_device(device), "07_interop", scene, settings).render().image;
+    Window window(window_settings(api));
+    FramePipeline pipeline(choose_device(device), window.api(), "07_interop", scene, settings,
+                           {rung}, TextureFormat::rgba32f);
+    ViewSettings view;
+    view.frames = 3;
+    const ViewFigures seen = Viewer(window, pipeline, "07_interop", scene, view).run();
+    EXPECT_EQ(pipeline.rung(), rung);
+    EXPECT_EQ(seen.frames.size(), 3) << "a frame has all of its samples";
+    EXPECT_EQ(seen.rays.primary, 7 * 61 * 37);
+    expect_same(seen.picture, exact);
+}
+
 std::string name_of(const testing::TestParamInfo<Case> &instance) {
     const auto &[device, rung, api] = instance.param;
     return fmt::format("{}_{}_{}", device, to_string(rung), api == ContextApi::egl ? "egl" : "glx");
@@ -191,6 +212,37 @@ TEST_F(Stage07Ladder, ResizedPicturesAreThoseOfTheirSize) {
                             .image);
         }
     }
+}
+
+// A camera that moves on, and a rung that is lost, leave nothing of the samples before.
+TEST_F(Stage07Ladder, AnotherViewBeginsWithItsFirstSample) {
+    RenderSettings settings = small_settings(scene);
+    settings.samples = 5;
+    FramePipeline both(choose_device("pthread"), window.api(), "01_primitives", scene, settings,
+                       {RungName::shared, RungName::copy}, TextureFormat::rgba32f);
+    CameraDescription other = scene.camera;
+    other.position.y += 0.5;
+    const auto add = [&both](const CameraDescription &camera, int samples) {
+        for (int i = 0; i < samples; ++i) {
+            both.start(camera);
+            EXPECT_TRUE(both.finish());
+        }
+    };
+    const Image exact =
+        Renderer(choose_device("pthread"), "01_primitives", scene, settings).render().image;
+    add(other, 3);
+    add(scene.camera, 5);
+    EXPECT_TRUE(both.complete(scene.camera));
+    EXPECT_FALSE(both.complete(other));
+    expect_same(both.texture().read(), exact);
+    add(scene.camera, 2);
+    const GLuint texture = both.texture().id();
+    glDeleteTextures(1, &texture);
+    add(scene.camera, 1);
+    EXPECT_EQ(both.rung(), RungName::copy);
+    EXPECT_EQ(both.started(), 1);
+    add(scene.camera, 4);
+    expect_same(both.texture().read(), exact);
 }
 
 // Two frames at once, of two cameras: each comes out as its own.

@@ -48,6 +48,12 @@ protected:
             press(key);
             release(key);
         }
+        // Until the title has that part, or half a minute has passed.
+        void wait_for_title(const std::string &part) {
+            for (int i = 0; i < 6000 && title().find(part) == std::string::npos; ++i) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            }
+        }
         void settle() {
             for (int i = 0; i < 2; ++i) {
                 tap("p");
@@ -118,6 +124,66 @@ TEST_F(Stage07Viewer, RendersOnceWhileNothingChanges) {
     });
     EXPECT_EQ(seen.frames.size(), 1);
     EXPECT_EQ(seen.picture.pixels, rendered(scene.camera).pixels);
+}
+
+// One after the other, and no more than were asked for.
+TEST_F(Stage07Viewer, AddsSamplesWhileNothingChanges) {
+    settings.samples = 7;
+    std::string title;
+    const ViewFigures seen = run([&title](Person &person) {
+        person.wait_for_title("  7/7 samples  ");
+        person.expose();
+        person.settle();
+        title = person.title();
+    });
+    EXPECT_NE(title.find("  7/7 samples  "), std::string::npos) << title;
+    EXPECT_EQ(seen.frames.size(), 1);
+    EXPECT_EQ(seen.rays.primary, 7 * 64 * 40);
+    EXPECT_EQ(seen.picture.pixels, rendered(scene.camera).pixels);
+}
+
+// Of a picture of another size, and of one by another kernel, no sample is an old one.
+TEST_F(Stage07Viewer, BeginsWithTheFirstSampleWhenSomethingChanges) {
+    settings.samples = 7;
+    const ViewFigures resized = run([](Person &person) {
+        person.wait_for_title("  7/7 samples  ");
+        person.resize(50, 30);
+        person.settle();
+        person.wait_for_title("  7/7 samples  ");
+    });
+    EXPECT_EQ(resized.frames.size(), 2);
+    EXPECT_EQ(resized.picture.width, 50);
+    EXPECT_EQ(resized.picture.pixels, rendered(scene.camera).pixels);
+}
+
+TEST_F(Stage07Viewer, BeginsWithTheFirstSampleOfAReloadedKernel) {
+    settings.samples = 7;
+    replace_in_kernel("(0.5f + 0.5f * surface->normal) * (1.0f - darkening)", "(float3)(0.25f)");
+    const ViewFigures seen = run([](Person &person) {
+        person.wait_for_title("  7/7 samples  ");
+        person.tap("r");
+        person.settle();
+        person.wait_for_title("  7/7 samples  ");
+    });
+    EXPECT_EQ(seen.frames.size(), 2);
+    EXPECT_EQ(seen.picture.at(32, 20), glm::vec3(0.25F));
+}
+
+TEST_F(Stage07Viewer, AddsSamplesAgainWhenItHasFlown) {
+    settings.samples = 7;
+    std::string title;
+    const ViewFigures seen = run([&title](Person &person) {
+        person.wait_for_title("  7/7 samples  ");
+        person.press("w");
+        person.settle();
+        person.release("w");
+        person.settle();
+        person.wait_for_title("  7/7 samples  ");
+        title = person.title();
+    });
+    EXPECT_NE(title.find("  7/7 samples  "), std::string::npos) << title;
+    EXPECT_GT(seen.frames.size(), 1);
+    EXPECT_EQ(seen.rays.primary, 7 * 64 * 40) << "of the last picture";
 }
 
 TEST_F(Stage07Viewer, FliesWhileAKeyIsHeldAndShowsTheLastPlace) {
