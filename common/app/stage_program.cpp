@@ -18,6 +18,7 @@
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
+#include "scene/progress.h"
 #include "scene/scene_file.h"
 
 namespace stagelight {
@@ -63,13 +64,22 @@ int draw(const std::string &stage, const Options &options, const Scene &scene,
     RunFigures figures;
     figures.display.reason = reason;
     Frame frame;
-    for (int i = 0; i < options.frames.value_or(1); ++i) {
+    const int frames = options.frames.value_or(1);
+    std::optional<Progress> progress;
+    if (frames > 1) {  // of one, its samples are told
+        progress.emplace("rendering frames", frames);
+    }
+    for (int i = 0; i < frames; ++i) {
         frame = renderer.render();
         if (i == 0) {
             startup.done("first_frame");
         }
         figures.frames.push_back(frame.milliseconds);
+        if (progress) {
+            progress->step();
+        }
     }
+    progress.reset();
     figures.rays = frame.rays;
     figures.brightest = brightest(scene);
     figures.bytes_on_device = renderer.bytes();

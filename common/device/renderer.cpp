@@ -9,6 +9,7 @@
 #include "device/device_types.h"
 #include "device/memory_need.h"
 #include "scene/clock.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 
@@ -39,11 +40,13 @@ Frame Renderer::render() {
     frame.image = Image(settings_.width, settings_.height);
     std::vector<glm::vec4> pixels(frame.image.pixels.size());
     std::vector<device::RayCounts> rows;
+    Progress progress("rendering samples", static_cast<std::size_t>(settings_.samples));
     for (int i = 0; i < settings_.samples; ++i) {
         frame.milliseconds += launch(i);
         kernel_.read_ray_counts(queue_, rows);
         queue_.finish();
         frame.rays += totals_of(rows, pixels.size());
+        progress.step();
     }
     queue_.enqueueReadBuffer(image_, CL_TRUE, 0, pixels.size() * sizeof pixels[0], pixels.data());
     std::ranges::transform(pixels, frame.image.pixels.begin(),

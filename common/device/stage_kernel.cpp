@@ -11,6 +11,7 @@
 #include "scene/clock.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 namespace {
@@ -38,6 +39,14 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     const cl_uint preferred = device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
     const bool is_gpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU;
     return is_gpu || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
+}
+
+// Milliseconds of an action, which a terminal is told of where they are many.
+double timed(const char *what, const auto &action) {
+    const Progress progress(what);
+    const double start = now_milliseconds();
+    action();
+    return now_milliseconds() - start;
 }
 
 cl::Kernel render_kernel(const cl::Program &program) {
@@ -130,14 +139,14 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
                    settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
-    double start = now_milliseconds();
     Bvh bvh;
     if (stage_number(stage) >= acceleration_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
-        bvh = build_bvh(scene, std::stoi(choice(settings.methods, "nodes")));
+        const int children = std::stoi(choice(settings.methods, "nodes"));
+        milliseconds_.tree =
+            timed("building the tree", [&] { bvh = build_bvh(scene, children); });
     }
-    milliseconds_.tree = now_milliseconds() - start;
     if (!bvh.nodes.empty()) {
         needs_.emplace_back("BVH_WIDTH", bvh.width);
         needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
@@ -145,19 +154,20 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
     options_ = build_options(needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
-    start = now_milliseconds();
-    kernel_ = render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
-    if (samples_ > 1) {
-        mean_.emplace(context, language + writes, settings.kernels);
-    }
-    milliseconds_.kernel = now_milliseconds() - start;
-    start = now_milliseconds();
-    scene_.emplace(context, device, kernel_, scene, decode, bvh);
+    milliseconds_.kernel = timed("building the kernel", [&] {
+        kernel_ =
+            render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
+        if (samples_ > 1) {
+            mean_.emplace(context, language + writes, settings.kernels);
+        }
+    });
+    milliseconds_.upload = timed("copying the scene to the device", [&] {
+        scene_.emplace(context, device, kernel_, scene, decode, bvh);
+        if (settings.split && scene_->textures()) {
+            plain_textures_.emplace(context, device, scene, Transfer::none);
+        }
+    });
     learn_arguments();
-    if (settings.split && scene_->textures()) {
-        plain_textures_.emplace(context, device, scene, Transfer::none);
-    }
-    milliseconds_.upload = now_milliseconds() - start;
     make_room_for_ray_counts(settings.height);
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "display/frame_pipeline.h"
 
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "device/device_types.h"
 #include "display/copy_rung.h"
 #include "display/shared_rung.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 namespace {
@@ -55,8 +54,7 @@ void FramePipeline::take(RungName name) {
 }
 
 void FramePipeline::report(const std::string &line) {
-    fmt::print("display: {}\n", line);
-    std::fflush(stdout);  // the window may stay for hours
+    say("display: " + line);
     reason_ += (reason_.empty() ? "" : "; ") + line;
 }
 

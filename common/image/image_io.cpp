@@ -11,6 +11,7 @@
 #include "image/split.h"
 #include "image/whole_file.h"
 #include "scene/errors.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 namespace {
@@ -60,6 +61,7 @@ void require_writable(const std::filesystem::path &file) {
 void write_image(const Image &image, const std::filesystem::path &file, Transfer encode,
                  bool split) {
     require_picture_name(file);
+    const Progress progress("writing " + file.filename().string());
     write_whole(extension_of(file) == ".png"
                     ? encode_png(bytes_of(image, encode, split), image.width, image.height, encode)
                     : encode_exr(image),

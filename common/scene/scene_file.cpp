@@ -12,6 +12,7 @@
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
 #include "scene/number_rules.h"
+#include "scene/progress.h"
 #include "scene/toml_reader.h"
 #include "scene/unit_vector.h"
 
@@ -124,8 +125,11 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         scene.planes.push_back(read_plane(table, materials));
     }
     // Last: an import takes the longest, and appends materials of its own.
-    for (const TableReader &table : root.array_of_tables("meshes")) {
+    const auto meshes = root.array_of_tables("meshes");
+    Progress progress("loading the meshes of " + file.filename().string(), meshes.size());
+    for (const TableReader &table : meshes) {
         read_mesh(scene, table, materials);
+        progress.step();
     }
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene

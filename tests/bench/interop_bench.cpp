@@ -15,12 +15,14 @@
 #include "display/gl_sharing.h"
 #include "display/viewer.h"
 #include "scene/errors.h"
+#include "scene/progress.h"
 #include "scene/scene_file.h"
 
 namespace stagelight {
 namespace {
 
 constexpr int frames_a_run = 20;
+constexpr int repetitions = 5;
 
 struct Work {
     std::string stage;
@@ -139,19 +141,19 @@ public:
     // The cost is what a frame takes beside its rendering alone, which is that of the naive way:
     // nothing else runs then.
     void Finalize() override {
-        fmt::print("\n{:<22} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}\n", "milliseconds", "a frame",
-                   "render", "present", "overlap", "cost", "frames/s");
+        say(fmt::format("\n{:<22} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}", "milliseconds", "a frame",
+                        "render", "present", "overlap", "cost", "frames/s"));
         for (const auto &[name, runs] : runs_) {
             if (runs.front().error_occurred) {
-                fmt::print("{:<22} not here: {}\n", name, runs.front().error_message);
+                say(fmt::format("{:<22} not here: {}", name, runs.front().error_message));
                 continue;
             }
             const double whole =
                 median_of(runs, [](const Run &run) { return run.GetAdjustedRealTime(); });
-            fmt::print("{:<22} {:8.2f} {:8.2f} {:8.2f} {:7.0f}% {:7.0f}% {:9.1f}\n", name, whole,
-                       counter(runs, "render"), counter(runs, "present"),
-                       100 * counter(runs, "overlap"), 100 * (1 - render_alone(name) / whole),
-                       1000 / whole);
+            say(fmt::format("{:<22} {:8.2f} {:8.2f} {:8.2f} {:7.0f}% {:7.0f}% {:9.1f}", name, whole,
+                            counter(runs, "render"), counter(runs, "present"),
+                            100 * counter(runs, "overlap"), 100 * (1 - render_alone(name) / whole),
+                            1000 / whole));
         }
     }
 
@@ -167,15 +169,17 @@ private:
     std::map<std::string, std::vector<Run>> runs_;
 };
 
-void register_all(const Work &work) {
-    const auto add = [&work](const std::string &way, const auto &show) {
-        benchmark::RegisterBenchmark(
-            (work.stage + "/" + way).c_str(),
-            [&work, show](benchmark::State &state) { measure(state, [&] { return show(work); }); })
+void register_all(const Work &work, Progress &progress) {
+    const auto add = [&](const std::string &way, const auto &show) {
+        benchmark::RegisterBenchmark((work.stage + "/" + way).c_str(),
+                                     [&work, &progress, show](benchmark::State &state) {
+                                         measure(state, [&] { return show(work); });
+                                         progress.step();
+                                     })
             ->UseManualTime()
             ->Unit(benchmark::kMillisecond)
             ->Iterations(1)
-            ->Repetitions(5);
+            ->Repetitions(repetitions);
     };
     add("shared", [](const Work &w) { return show_on(RungName::shared, w); });
     add("copy", [](const Work &w) { return show_on(RungName::copy, w); });
@@ -184,13 +188,14 @@ void register_all(const Work &work) {
 
 int bench(int argc, char **argv) {
     const std::vector<Work> works{work_of("01_primitives"), work_of("07_interop")};
+    Progress progress("measuring", 3 * repetitions * works.size());
     for (const Work &work : works) {
-        register_all(work);
+        register_all(work, progress);
     }
     {
         const Window window(window_of(works.front()));
-        fmt::print("OpenCL: {}\nOpenGL: {}\n", device_for(window).getInfo<CL_DEVICE_NAME>(),
-                   reinterpret_cast<const char *>(glGetString(GL_RENDERER)));
+        say(fmt::format("OpenCL: {}\nOpenGL: {}", device_for(window).getInfo<CL_DEVICE_NAME>(),
+                        reinterpret_cast<const char *>(glGetString(GL_RENDERER))));
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

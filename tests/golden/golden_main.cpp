@@ -10,6 +10,7 @@
 #include "app/run_main.h"
 #include "golden/suite.h"
 #include "scene/errors.h"
+#include "scene/progress.h"
 
 namespace stagelight::golden {
 namespace {
@@ -54,9 +55,12 @@ std::string update_scene(const GoldenScene &scene) {
 
 void update(const std::string &stage, const std::string &reason) {
     const auto now = std::chrono::system_clock::now();
-    for (const GoldenScene &scene : scenes_of(stage)) {
+    const std::vector<GoldenScene> scenes = scenes_of(stage);
+    Progress progress("drawing with the reference", scenes.size());
+    for (const GoldenScene &scene : scenes) {
         const std::string change = update_scene(scene);
-        fmt::print("{}: {}\n", scene.name, change.empty() ? "unchanged" : change);
+        progress.step();
+        say(scene.name + ": " + (change.empty() ? "unchanged" : change));
         if (!change.empty()) {
             std::ofstream log(log_file, std::ios::app);
             log << fmt::format("* {:%Y-%m-%d} {}: {} ({})\n", now, scene.name, reason, change);
@@ -67,13 +71,16 @@ void update(const std::string &stage, const std::string &reason) {
 // Every golden beside what the default device draws today, by the suite's own tolerances.
 int check() {
     int code = exit_done;
-    for (const GoldenScene &scene : all_scenes()) {
+    const std::vector<GoldenScene> scenes = all_scenes();
+    Progress progress("drawing on the device", scenes.size());
+    for (const GoldenScene &scene : scenes) {
         const stagelight::Golden golden = read_golden(scene.golden);
         const Comparison comparison = compare(draw_device(scene, ""), golden.image, golden.edge,
                                               tolerance_of(scene.name, "every"));
-        fmt::print("{}: {}\n", scene.name, to_string(comparison));
+        progress.step();
+        say(scene.name + ": " + to_string(comparison));
         if (!comparison.failure.empty()) {
-            fmt::print("  FAILED: {}\n", comparison.failure);
+            say("  FAILED: " + comparison.failure);
             code = exit_check_failed;
         }
     }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "scene/clock.h"
+
+namespace stagelight {
+
+// Says on a terminal what takes longer than two seconds: a line on stderr, with a bar where the
+// number of steps is known, that is gone when this ends. Nothing at all where stderr is no
+// terminal, and while an earlier one is there: what is done in many steps is told, not each of
+// them. Who prints while one may be there does it by say().
+class Progress {
+public:
+    explicit Progress(std::string what, std::size_t steps = 1);
+    ~Progress();
+    Progress(const Progress &) = delete;
+    Progress &operator=(const Progress &) = delete;
+
+    // One more is done.
+    void step() { ++done_; }
+
+private:
+    void keep_drawing(const std::stop_token &stop);
+    std::string text() const;
+
+    std::string what_;
+    std::size_t steps_;
+    double start_ = now_milliseconds();
+    bool is_drawn_;  // if it takes long enough
+    std::atomic<std::size_t> done_ = 0;
+    std::condition_variable_any wake_;
+    std::jthread drawing_;  // the last, for it uses all others
+};
+
+// Prints a line on stdout, at once, which the bar on the terminal makes way for.
+void say(const std::string &line);
+
+}  // namespace stagelight
