@@ -2,6 +2,7 @@
 # The functions that the rooms of the house are declared with.
 
 option(STAGELIGHT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(STAGELIGHT_PEERS "Build ./stagelight bench peers, which needs packages_peers.txt" OFF)
 
 # Warnings are errors, on our own targets only.
 function(stagelight_target target)

@@ -18,15 +18,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json device_json(const cl::Device &device) {
-    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
-    return {{"name", device.getInfo<CL_DEVICE_NAME>()},
-            {"platform", platform.getInfo<CL_PLATFORM_NAME>()},
-            {"version", device.getInfo<CL_DEVICE_VERSION>()},
-            {"driver", device.getInfo<CL_DRIVER_VERSION>()},
-            {"compute_units", device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()}};
-}
-
 ordered_json rays_json(const RayTotals &rays) {
     return {{"primary", rays.primary},
             {"shadow", rays.shadow},
@@ -136,6 +127,15 @@ ordered_json display_json(const DisplayFigures &display) {
 }
 
 }  // namespace
+
+ordered_json device_json(const cl::Device &device) {
+    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    return {{"name", device.getInfo<CL_DEVICE_NAME>()},
+            {"platform", platform.getInfo<CL_PLATFORM_NAME>()},
+            {"version", device.getInfo<CL_DEVICE_VERSION>()},
+            {"driver", device.getInfo<CL_DRIVER_VERSION>()},
+            {"compute_units", device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()}};
+}
 
 double overlap_of(const std::vector<FrameTimes> &frames) {
     double presenting = 0;

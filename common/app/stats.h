@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/startup.h"
 #include "device/stage_kernel.h"
 #include "display/viewer.h"
@@ -37,6 +39,9 @@ struct RunFigures {
     DisplayFigures display;
     Startup startup;
 };
+
+// Its name, platform, versions and compute units.
+nlohmann::ordered_json device_json(const cl::Device &device);
 
 // Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
 // dropped rays, bytes on the device, what the scene needed and what was left out, and how the frames

@@ -22,6 +22,7 @@ make_machine() {
     mkdir -p "$machine" "$checkout/stages/01_first" "$checkout/stages/04_last"
     cp "$source_dir/stagelight" "$checkout"
     printf '# a list\none  # a reason\ntwo\nthree # another\n' >"$checkout/packages.txt"
+    printf '# more\nfour # for one verb\n' >"$checkout/packages_peers.txt"
     local tool
     for tool in bash env dirname readlink sed cat mkdir nproc awk; do
         ln -s "$(command -v $tool)" "$machine/$tool"
@@ -149,8 +150,8 @@ make_bench() {
     fake cmake '
         if [[ $1 == --build ]]; then
             mkdir -p "$2/tools"
-            printf "#!/bin/bash\necho \"on \$DISPLAY, \${OPENCL_LAYERS##*/}: \$*\"\n" >"$2/tools/bench_interop"
-            /bin/chmod +x "$2/tools/bench_interop"
+            printf "#!/bin/bash\necho \"on \$DISPLAY, \${OPENCL_LAYERS##*/}: \$*\"\n" >"$2/tools/$4"
+            /bin/chmod +x "$2/tools/$4"
         fi'
     fake Xvfb "echo \$\$ >$scratch/xvfb; echo 42; exec /bin/sleep 20"
     unset WAYLAND_DISPLAY OPENCL_LAYERS
@@ -173,10 +174,25 @@ test_bench_without_a_display_starts_one_and_ends_it() {
     ! kill -0 "$(<"$scratch/xvfb")" 2>/dev/null || fail "Xvfb is still there"
 }
 
+# What only the peers need is installed, looked for and built for them alone.
+test_bench_peers_has_packages_and_a_build_of_its_own() {
+    make_bench
+    DISPLAY='' stagelight bench peers --fast
+    expect_equal "exit code" 0 $code
+    expect_equal "output" "on , : --fast" "$output"
+    expect_text "apt-get" "install --yes --no-install-recommends four" "$(calls apt-get)"
+    expect_equal "cmake" "cmake -S $checkout --preset peers --log-level=NOTICE
+cmake --build $checkout/build/peers --target bench_peers" "$(calls cmake)"
+    : >"$log"
+    DISPLAY=:7 stagelight bench interop
+    expect_empty "apt-get for interop" "$(calls apt-get)"
+    expect_text "cmake for interop" "--preset release" "$(calls cmake)"
+}
+
 test_bench_of_nothing_known() {
     stagelight bench speed
     expect_equal "exit code" 2 $code
-    expect_equal "message" "stagelight: bench 'speed': expected interop" "$errors"
+    expect_equal "message" "stagelight: bench 'speed': expected interop or peers" "$errors"
 }
 
 test_failed_build_shows_the_compiler() {

@@ -24,7 +24,7 @@ test_spdx_line() {
     while read -r file; do
         head -n 2 "$file" | grep -q 'SPDX-License-Identifier: MIT$' || echo "${file#"$source_dir"/}"
     done < <(list_files '*.h' '*.cpp' '*.cl' '*.toml' '*.cmake' CMakeLists.txt '*.sh' stagelight run \
-        packages.txt) >"$scratch/without"
+        'packages*.txt') >"$scratch/without"
     expect_empty "no SPDX line at the head of" "$(<"$scratch/without")"
 }
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What the benches draw with, and hold what they drew to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "device/stage_kernel.h"
+#include "reference/reference.h"
+#include "scene/scene.h"
+
+namespace stagelight::bench {
+
+// The folders' names of the stages that there are, in their order.
+std::vector<std::string> stages();
+
+// The highest.
+std::string full_tracer();
+
+// The size and depth that the scene says itself.
+RenderSettings settings_of(const Scene &scene);
+
+// The scene as `stage` is to show it, at its own size and depth, by the reference in double.
+reference::Result reference_of(const std::string &stage, const Scene &scene);
+
+}  // namespace stagelight::bench
