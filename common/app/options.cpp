@@ -113,6 +113,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("--kernels", options.kernels,
                    "read the kernels from DIR, which holds kernels/ and stages/");
     app.add_option("--stats", options.stats, "JSON file to write figures to");
+    app.add_option("--export-pov", options.export_pov,
+                   "write the scene to FILE, for POV-Ray 3.7, and leave");
     app.add_flag("--list-devices", options.list_devices, "list the OpenCL devices, and leave");
 
     try {

@@ -31,6 +31,7 @@ struct Options {
     Methods methods;
     std::optional<std::filesystem::path> kernels;
     std::optional<std::filesystem::path> stats;
+    std::optional<std::filesystem::path> export_pov;
     bool list_devices = false;
 };
 

@@ -14,6 +14,7 @@
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
+#include "pov/pov_export.h"
 #include "scene/brightest.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
@@ -93,6 +94,25 @@ int draw(const std::string &stage, const Options &options, const Scene &scene,
     return exit_done;
 }
 
+int export_scene(const std::string &stage, const Scene &scene, const RenderSettings &settings,
+                 const std::filesystem::path &file) {
+    const int number = stage_number(stage);
+    if (number == 1) {
+        throw UserError(fmt::format("--export-pov: {} shows normals, which POV-Ray does not; {} is "
+                                    "the first stage that has light",
+                                    stage, stage_name(2)));
+    }
+    if (choice(settings.methods, "interior") == "paper") {
+        throw UserError("--export-pov: POV-Ray has no --method interior=paper");
+    }
+    export_pov(scene,
+               {settings.width, settings.height, settings.max_depth,
+                decode_of(number, settings.methods)},
+               file);
+    fmt::print("wrote {}\n", file.string());
+    return exit_done;
+}
+
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
     const std::future<void> drivers = std::async(std::launch::async, load_drivers);
@@ -102,6 +122,9 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
         fmt::print(stderr, "warning: {}\n", line);
     }
     const RenderSettings settings = settings_of(options, scene, stage_number(stage));
+    if (options.export_pov) {
+        return export_scene(stage, scene, settings, *options.export_pov);
+    }
     startup.done("scene");
     drivers.wait();
     std::string reason = "no window was asked for";

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "pov/pov_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "image/whole_file.h"
+#include "pov/pov_materials.h"
+#include "pov/pov_shapes.h"
+#include "scene/errors.h"
+
+namespace stagelight {
+namespace {
+
+using pov::vector;
+
+void require_expressible(const Light &light) {
+    if (std::isfinite(light.range)) {
+        throw UserError(fmt::format("{}: a light with a range: POV-Ray's lights have none; leave "
+                                    "it out to export the scene",
+                                    to_string(light.where)));
+    }
+}
+
+// How the picture is to be asked for, since a scene does not say.
+std::string head(const PovSettings &settings, const std::filesystem::path &file) {
+    return fmt::format("// povray {} +W{} +H{} -A +FE -D\n"
+                       "// draws this scene of Stagelight's: linear light, one ray a pixel.\n"
+                       "#version 3.7;\n"
+                       "global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
+                       file.filename().string(), settings.width, settings.height,
+                       settings.max_depth + 1);
+}
+
+// All vectors are given, so that it does not matter that POV-Ray's own are left-handed.
+std::string camera(const CameraDescription &camera, const PovSettings &settings) {
+    const glm::dvec3 forward = glm::normalize(camera.look_at - camera.position);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double width = 2 * std::tan(camera.fov * std::numbers::pi / 360);
+    return fmt::format("camera {{ perspective location {} direction {} right {} up {} }}\n",
+                       vector(camera.position), vector(forward), vector(width * right),
+                       vector(width * settings.height / settings.width * up));
+}
+
+// Half of the largest extent of what has one.
+double reach_of(const Scene &scene) {
+    double reach = glm::length(scene.camera.position);
+    for (const Sphere &sphere : scene.spheres) {
+        reach = std::max(reach, glm::length(sphere.center) + sphere.radius);
+    }
+    for (const Vertex &vertex : scene.vertices) {
+        reach = std::max(reach, glm::length(vertex.position));
+    }
+    return reach;
+}
+
+// POV-Ray's light fades as 2 / (1 + (d / f)^2), f the fade_distance: where f is next to nothing
+// that is 2 f^2 / d^2, which the colour makes up for. A parallel light shines from a plane on,
+// which is far behind everything.
+std::string light(const Light &light, double reach) {
+    constexpr double near = 1e-5, far = 1e4;  // times the reach
+    const glm::dvec3 color = light.intensity * light.color;
+    if (light.type == LightType::point) {
+        const double fade = near * reach;
+        return fmt::format("light_source {{ {} rgb {} fade_distance {} fade_power 2 "
+                           "media_interaction off }}\n",
+                           vector(light.position), vector(color / (2 * fade * fade)), fade);
+    }
+    return fmt::format("light_source {{ {} rgb {} parallel point_at 0 media_interaction off }}\n",
+                       vector(-far * reach * light.direction), vector(color));
+}
+
+// The declaration; of a material with a texture it writes the picture.
+std::string material(const Scene &scene, std::size_t number, Transfer decode,
+                     const std::filesystem::path &file) {
+    const Material &material = scene.materials[number];
+    if (material.texture == no_texture) {
+        return pov::declaration(material, number);
+    }
+    const std::filesystem::path picture = pov::picture_of(file, number);
+    pov::write_picture(material, scene.textures[static_cast<std::size_t>(material.texture)], decode,
+                       picture);
+    return pov::declaration(material, number, picture.filename().string());
+}
+
+}  // namespace
+
+void export_pov(const Scene &scene, const PovSettings &settings,
+                const std::filesystem::path &file) {
+    const std::vector<std::size_t> used = pov::used_materials(scene);
+    for (const Light &light : scene.lights) {
+        require_expressible(light);
+    }
+    for (const std::size_t number : used) {
+        pov::require_expressible(scene.materials[number]);
+    }
+    require_writable_place(file);
+
+    std::string text = head(settings, file) + camera(scene.camera, settings)
+                       + fmt::format("background {{ rgb {} }}\n", vector(scene.background));
+    for (const Light &one : scene.lights) {
+        text += light(one, reach_of(scene));
+    }
+    for (const std::size_t number : used) {
+        text += material(scene, number, settings.decode, file);
+    }
+    text += pov::shapes(scene);
+    write_whole(std::vector<unsigned char>(text.begin(), text.end()), file);
+}
+
+}  // namespace stagelight
