@@ -2,6 +2,7 @@
 #include "bench/stages.h"
 
 #include "device/kernel_source.h"
+#include "golden/suite.h"
 #include "scene/lessons.h"
 
 namespace stagelight::bench {
@@ -20,23 +21,22 @@ std::string full_tracer() {
     return stages().back();
 }
 
-RenderSettings settings_of(const Scene &scene) {
+RenderSettings settings_of(const Scene &scene, const Methods &methods) {
     RenderSettings settings;
     settings.width = scene.width;
     settings.height = scene.height;
     settings.max_depth = scene.max_depth;
+    settings.methods = methods;
     return settings;
 }
 
-reference::Result reference_of(const std::string &stage, const Scene &scene) {
-    const int number = stage_number(stage);
-    return reference::render<double>(scene,
-                                     {.width = scene.width,
-                                      .height = scene.height,
-                                      .max_depth = scene.max_depth,
-                                      .decode = decode_of(number, {})},
-                                     number == 1 ? reference::Shown::normals_and_distances
-                                                 : reference::Shown::light);
+reference::Result reference_of(const std::string &stage, const Scene &scene,
+                               const RenderSettings &settings) {
+    reference::Settings same = golden::reference_settings(stage, scene, settings.methods);
+    same.width = settings.width;
+    same.height = settings.height;
+    same.max_depth = settings.max_depth;
+    return reference::render<double>(scene, same, golden::shown_by(stage));
 }
 
 }  // namespace stagelight::bench

@@ -17,10 +17,11 @@ std::vector<std::string> stages();
 // The highest.
 std::string full_tracer();
 
-// The size and depth that the scene says itself.
-RenderSettings settings_of(const Scene &scene);
+// At the size and depth that the scene says itself.
+RenderSettings settings_of(const Scene &scene, const Methods &methods = {});
 
-// The scene as `stage` is to show it, at its own size and depth, by the reference in double.
-reference::Result reference_of(const std::string &stage, const Scene &scene);
+// The scene as `stage` is to draw it by the same settings, by the reference in double.
+reference::Result reference_of(const std::string &stage, const Scene &scene,
+                               const RenderSettings &settings);
 
 }  // namespace stagelight::bench

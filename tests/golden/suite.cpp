@@ -29,22 +29,6 @@ std::string stage_of(const std::string &scene) {
     return std::string(stage_name(stage_number(scene)));
 }
 
-reference::Settings settings_of(const GoldenScene &golden, const Scene &scene,
-                                const Methods &methods) {
-    const auto chosen = [&methods](const char *kind, const char *name) {
-        const auto choice = methods.find(kind);
-        return choice != methods.end() && choice->second == name;
-    };
-    return {.width = width,
-            .height = height,
-            .max_depth = depth_of(scene, stage_number(golden.stage)),
-            .interior = chosen("interior", "paper") ? reference::Interior::paper
-                                                    : reference::Interior::full,
-            .fresnel = chosen("fresnel", "exact") ? reference::Fresnel::exact
-                                                  : reference::Fresnel::schlick,
-            .decode = decode_of(stage_number(golden.stage), methods)};
-}
-
 double allowed(const std::string &scene, const std::string &device, const char *key) {
     const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
     const toml::table tolerances = toml::parse_file(file.string());
@@ -91,18 +75,35 @@ std::vector<GoldenScene> scenes_of(const std::string &stage) {
     return scenes;
 }
 
+reference::Settings reference_settings(const std::string &stage, const Scene &scene,
+                                       const Methods &methods) {
+    const int number = stage_number(stage);
+    return {.width = width,
+            .height = height,
+            .max_depth = depth_of(scene, number),
+            .interior = choice(methods, "interior") == "paper" ? reference::Interior::paper
+                                                               : reference::Interior::full,
+            .fresnel = choice(methods, "fresnel") == "exact" ? reference::Fresnel::exact
+                                                             : reference::Fresnel::schlick,
+            .decode = decode_of(number, methods)};
+}
+
+reference::Shown shown_by(const std::string &stage) {
+    return stage_number(stage) == 1 ? reference::Shown::normals_and_distances
+                                    : reference::Shown::light;
+}
+
 reference::Result draw_reference(const GoldenScene &golden, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
-    return reference::render<double>(scene, settings_of(golden, scene, methods),
-                                     stage_number(golden.stage) == 1
-                                         ? reference::Shown::normals_and_distances
-                                         : reference::Shown::light);
+    return reference::render<double>(scene, reference_settings(golden.stage, scene, methods),
+                                     shown_by(golden.stage));
 }
 
 std::vector<std::vector<glm::vec3>>
 draw_around(const GoldenScene &golden, const std::vector<glm::ivec2> &pixels, double reach) {
     const Scene scene = load_scene(golden.scene);
-    return reference::colors_around(scene, settings_of(golden, scene, {}), pixels, reach);
+    return reference::colors_around(scene, reference_settings(golden.stage, scene, {}), pixels,
+                                    reach);
 }
 
 Image draw_device(const GoldenScene &golden, const std::string &device, const Methods &methods) {

@@ -37,6 +37,12 @@ std::vector<GoldenScene> all_scenes();
 // of stages for any other.
 std::vector<GoldenScene> scenes_of(const std::string &stage);
 
+// How the reference draws what `stage` draws of a scene by the chosen methods, at the goldens'
+// size.
+reference::Settings reference_settings(const std::string &stage, const Scene &scene,
+                                       const Methods &methods);
+reference::Shown shown_by(const std::string &stage);
+
 // The picture as the double-precision reference draws it, by the chosen methods.
 reference::Result draw_reference(const GoldenScene &scene, const Methods &methods = {});
 

@@ -8,7 +8,7 @@
 namespace stagelight::bench {
 namespace {
 
-// A share of the pixels, or of the rays, that rounding may put on the other side of an edge.
+// A share of the rays, which rounding may add or spare.
 constexpr double rounding_share = 1e-3;
 
 int outliers_of(const Comparison &comparison) {
@@ -21,15 +21,17 @@ double megarays(const Contestant &contestant) {
 
 // Empty when the picture and its rays are as they should be.
 std::string fault_of(const Contestant &contestant, std::uint64_t expected_rays,
-                     std::size_t pixels) {
+                     const Agreement &agreement) {
     const auto difference =
         static_cast<double>(contestant.rays) - static_cast<double>(expected_rays);
+    const auto pixels = static_cast<double>(contestant.image.pixels.size());
     const Comparison &comparison = contestant.comparison;
-    if (std::abs(difference) > rounding_share * static_cast<double>(expected_rays)) {
+    if (contestant.rays > 0
+        && std::abs(difference) > rounding_share * static_cast<double>(expected_rays)) {
         return fmt::format("{} rays, expected {}", contestant.rays, expected_rays);
     }
-    if (!(outliers_of(comparison) <= rounding_share * static_cast<double>(pixels))
-        || !(std::abs(comparison.mean_signed_error) <= Tolerance().mean_signed_error)) {
+    if (!(outliers_of(comparison) <= agreement.pixels * pixels)
+        || !(std::abs(comparison.mean_signed_error) <= agreement.mean_signed_error)) {
         return to_string(comparison);
     }
     return "";
@@ -37,14 +39,22 @@ std::string fault_of(const Contestant &contestant, std::uint64_t expected_rays,
 
 }  // namespace
 
-bool agree(std::vector<Contestant> &contestants, const reference::Result &truth) {
+Contestant ours(Renderer &renderer, const std::string &stage) {
+    return {stage, [&renderer] {
+                Frame frame = renderer.render();
+                return Drawn{std::move(frame.image), frame.rays.traced(), frame.milliseconds};
+            }};
+}
+
+bool agree(std::vector<Contestant> &contestants, const reference::Result &truth,
+           const Agreement &agreement) {
     bool all_right = true;
     for (Contestant &contestant : contestants) {
-        const Drawn drawn = contestant.draw();
+        Drawn drawn = contestant.draw();
         contestant.rays = drawn.rays;
-        contestant.comparison = compare(drawn.image, truth.image, truth.edge, Tolerance());
-        const std::string fault =
-            fault_of(contestant, contestants.front().rays, truth.image.pixels.size());
+        contestant.image = std::move(drawn.image);
+        contestant.comparison = compare(contestant.image, truth.image, truth.edge, Tolerance());
+        const std::string fault = fault_of(contestant, contestants.front().rays, agreement);
         if (!fault.empty()) {
             fmt::print(stderr, "{} draws another picture than the reference: {}\n", contestant.name,
                        fault);
@@ -75,7 +85,7 @@ std::string table_of(const std::vector<Contestant> &contestants) {
         {"", "ms", "million rays/s", "times as long", "pixels off", "RMSE"}};
     for (const Contestant &contestant : contestants) {
         rows.push_back({contestant.name, fmt::format("{:.1f}", median(contestant.milliseconds)),
-                        fmt::format("{:.1f}", megarays(contestant)),
+                        contestant.rays > 0 ? fmt::format("{:.1f}", megarays(contestant)) : "",
                         fmt::format("{:.2f}", ratio_of(contestant, contestants.front())),
                         fmt::format("{}", outliers_of(contestant.comparison)),
                         fmt::format("{:.1e}", contestant.comparison.rmse)});
@@ -86,11 +96,15 @@ std::string table_of(const std::vector<Contestant> &contestants) {
 ordered_json json_of(const std::vector<Contestant> &contestants) {
     ordered_json json = ordered_json::array();
     for (const Contestant &contestant : contestants) {
+        ordered_json counted;
+        if (contestant.rays > 0) {
+            counted = {{"rays", contestant.rays},
+                       {"million_rays_per_second", megarays(contestant)}};
+        }
         json.push_back({{"name", contestant.name},
                         {"milliseconds", contestant.milliseconds},
                         {"median", median(contestant.milliseconds)},
-                        {"rays", contestant.rays},
-                        {"million_rays_per_second", megarays(contestant)},
+                        {"counted", counted},
                         {"times_as_long", ratio_of(contestant, contestants.front())},
                         {"pixels_off", outliers_of(contestant.comparison)},
                         {"rmse", contestant.comparison.rmse}});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/report.h"
+#include "device/renderer.h"
 #include "image/compare.h"
 #include "image/image.h"
 #include "reference/reference.h"
@@ -16,7 +17,7 @@ namespace stagelight::bench {
 
 struct Drawn {
     Image image;
-    std::uint64_t rays = 0;
+    std::uint64_t rays = 0;  // 0 where nobody counts them
     double milliseconds = 0;
 };
 
@@ -26,13 +27,24 @@ struct Contestant {
 
     std::vector<double> milliseconds{};
     std::uint64_t rays = 0;
+    Image image{};
     Comparison comparison{};  // with the reference in double
 };
 
-// Each draws once, which is not timed: that picture must be the truth's but for one pixel in a
-// thousand, and its rays as many as the first one's. Prints a line for each that fails, and returns
-// whether all are right.
-bool agree(std::vector<Contestant> &contestants, const reference::Result &truth);
+// The stage's own program.
+Contestant ours(Renderer &renderer, const std::string &stage);
+
+// How far a picture may be from the truth's.
+struct Agreement {
+    double pixels = 1e-3;             // the share of them more than 1/255 off
+    double mean_signed_error = 1e-4;  // as in Tolerance
+};
+
+// Each draws once, which is not timed: that picture must be the truth's, and its rays as many as
+// the first one's but for one in a thousand. Prints a line for each that fails, and returns whether
+// all are right.
+bool agree(std::vector<Contestant> &contestants, const reference::Result &truth,
+           const Agreement &agreement = {});
 
 // Each draws in turn, `rounds` times: what slows the machine down for a while slows all.
 void time_in_turn(std::vector<Contestant> &contestants, int rounds);

@@ -1,104 +1,24 @@
 // SPDX-License-Identifier: MIT
-// ./stagelight bench peers: the full tracer beside Embree, on the same cameras, in the same run.
-#include <filesystem>
+// ./stagelight bench peers: the full tracer beside Embree and POV-Ray, on the same cameras, in the
+// same run.
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "app/run_main.h"
-#include "bench/peers/contest.h"
-#include "bench/peers/embree_tracer.h"
-#include "bench/stages.h"
-#include "device/bvh.h"
+#include "bench/peers/embree_race.h"
+#include "bench/peers/povray_race.h"
 #include "device/device_choice.h"
-#include "device/renderer.h"
 #include "scene/errors.h"
-#include "scene/scene_file.h"
 
 namespace stagelight::bench {
 namespace {
-
-constexpr int rounds = 15;
-constexpr int builds = 3;
 
 // The cores that OpenCL has, where it runs on the processor.
 int threads_beside(const cl::Device &device) {
     return device.getInfo<CL_DEVICE_TYPE>() == CL_DEVICE_TYPE_CPU
                ? static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>())
                : static_cast<int>(std::thread::hardware_concurrency());
-}
-
-EmbreeScene build_embree(const Scene &scene, RTCBuildQuality quality, double &milliseconds) {
-    std::vector<double> times;
-    for (int i = 1; i < builds; ++i) {
-        times.push_back(EmbreeScene(scene, quality).build_milliseconds());
-    }
-    EmbreeScene embree(scene, quality);
-    times.push_back(embree.build_milliseconds());
-    milliseconds = median(times);
-    return embree;
-}
-
-// The full tracer first: the others are measured by it.
-std::vector<Contestant> contestants_of(Renderer &ours, const EmbreeTracer &high,
-                                       const EmbreeTracer &medium, Workers &workers) {
-    std::vector<Contestant> contestants{
-        {full_tracer(), [&ours] {
-             Frame frame = ours.render();
-             return Drawn{std::move(frame.image), frame.rays.traced(), frame.milliseconds};
-         }}};
-    const auto add = [&](const std::string &name, const EmbreeTracer &tracer, EmbreeRays rays) {
-        contestants.push_back({name, [&tracer, &workers, rays] {
-                                   EmbreePicture picture = tracer.render(rays, workers);
-                                   const std::uint64_t primary = picture.image.pixels.size();
-                                   return Drawn{std::move(picture.image),
-                                                primary + picture.shadow_rays,
-                                                picture.milliseconds};
-                               }});
-    };
-    add("Embree, single, high", high, EmbreeRays::single);
-    add("Embree, 16 wide, high", high, EmbreeRays::packet);
-    add("Embree, single, medium", medium, EmbreeRays::single);
-    add("Embree, 16 wide, medium", medium, EmbreeRays::packet);
-    return contestants;
-}
-
-// Adds what it finds to `report`; false where the pictures are not the same.
-bool race(const cl::Device &device, const std::string &model, Workers &workers,
-          ordered_json &report) {
-    const Scene scene = load_scene(std::filesystem::path(STAGELIGHT_SOURCE_DIR)
-                                   / "tests/bench/peers" / (model + ".toml"));
-    say(fmt::format("{}: trees over {} triangles", model, scene.triangles.size()));
-    const double our_build = median_time_of(builds, [&] { build_bvh(scene); });
-    double high_build = 0;
-    double medium_build = 0;
-    const EmbreeScene high = build_embree(scene, RTC_BUILD_QUALITY_HIGH, high_build);
-    const EmbreeScene medium = build_embree(scene, RTC_BUILD_QUALITY_MEDIUM, medium_build);
-    const EmbreeTracer high_tracer(scene, high);
-    const EmbreeTracer medium_tracer(scene, medium);
-    Renderer ours(device, full_tracer(), scene, settings_of(scene));
-
-    say(model + ": the reference, to hold all pictures to");
-    std::vector<Contestant> contestants = contestants_of(ours, high_tracer, medium_tracer, workers);
-    if (!agree(contestants, reference_of(full_tracer(), scene))) {
-        return false;
-    }
-    say(fmt::format("{}: {} rounds", model, rounds));
-    time_in_turn(contestants, rounds);
-
-    fmt::print("\n{}: {} triangles, {}x{}, {} rays, {} threads, {}\n{}", model,
-               scene.triangles.size(), scene.width, scene.height, contestants.front().rays,
-               workers.size(), high.description(), table_of(contestants));
-    fmt::print("tree built in {:.1f} ms; Embree's: high quality {:.1f} ms, medium {:.1f} ms\n",
-               our_build, high_build, medium_build);
-    report[model] = {{"triangles", scene.triangles.size()},
-                     {"size", {scene.width, scene.height}},
-                     {"threads", workers.size()},
-                     {"embree", high.description()},
-                     {"build_milliseconds",
-                      {{"ours", our_build}, {"high", high_build}, {"medium", medium_build}}},
-                     {"tracers", json_of(contestants)}};
-    return true;
 }
 
 int peers(int argc) {
@@ -109,11 +29,13 @@ int peers(int argc) {
     const cl::Device device = choose_device("");
     fmt::print("{}\n", device.getInfo<CL_DEVICE_NAME>());
     ordered_json report = {{"device", device_json(device)}};
-    Workers workers(threads_beside(device));
-    for (const std::string model : {"bunny", "horse"}) {
-        if (!race(device, model, workers, report)) {
-            return exit_check_failed;
-        }
+    const int threads = threads_beside(device);
+    Workers workers(threads);
+    const bool all_right = race_embree(device, "bunny", workers, report)
+                           && race_embree(device, "horse", workers, report)
+                           && race_povray(device, threads, report);
+    if (!all_right) {
+        return exit_check_failed;
     }
     write_report(report, file);
     return exit_done;
