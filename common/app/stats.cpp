@@ -18,24 +18,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json rays_json(const RayTotals &rays) {
-    return {{"primary", rays.primary},
-            {"shadow", rays.shadow},
-            {"reflection", rays.reflection},
-            {"refraction", rays.refraction}};
-}
-
-ordered_json bytes_json(const std::map<std::string, std::size_t> &sizes) {
-    ordered_json bytes;
-    std::size_t total = 0;
-    for (const auto &[name, size] : sizes) {
-        bytes[name] = size;
-        total += size;
-    }
-    bytes["total"] = total;
-    return bytes;
-}
-
 ordered_json needs_json(const SceneNeeds &needs) {
     ordered_json json = ordered_json::object();
     for (const auto &[name, value] : needs) {
@@ -135,6 +117,24 @@ ordered_json device_json(const cl::Device &device) {
             {"version", device.getInfo<CL_DEVICE_VERSION>()},
             {"driver", device.getInfo<CL_DRIVER_VERSION>()},
             {"compute_units", device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()}};
+}
+
+ordered_json rays_json(const RayTotals &rays) {
+    return {{"primary", rays.primary},
+            {"shadow", rays.shadow},
+            {"reflection", rays.reflection},
+            {"refraction", rays.refraction}};
+}
+
+ordered_json bytes_json(const std::map<std::string, std::size_t> &sizes) {
+    ordered_json bytes;
+    std::size_t total = 0;
+    for (const auto &[name, size] : sizes) {
+        bytes[name] = size;
+        total += size;
+    }
+    bytes["total"] = total;
+    return bytes;
 }
 
 double overlap_of(const std::vector<FrameTimes> &frames) {

@@ -42,6 +42,10 @@ struct RunFigures {
 
 // Its name, platform, versions and compute units.
 nlohmann::ordered_json device_json(const cl::Device &device);
+// By kind.
+nlohmann::ordered_json rays_json(const RayTotals &rays);
+// By argument, and their total.
+nlohmann::ordered_json bytes_json(const std::map<std::string, std::size_t> &sizes);
 
 // Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
 // dropped rays, bytes on the device, what the scene needed and what was left out, and how the frames

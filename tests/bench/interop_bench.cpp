@@ -3,13 +3,11 @@
 // the display ladder, and in the way that the paper started from (section 2).
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include "app/run_main.h"
-#include "app/stats.h"
+#include "bench/collected_runs.h"
 #include "device/device_choice.h"
 #include "device/renderer.h"
 #include "display/gl_sharing.h"
@@ -126,24 +124,14 @@ template <typename Show> void measure(benchmark::State &state, const Show &show)
 }
 
 // One line a way: the medians of all its repetitions.
-class Table : public benchmark::BenchmarkReporter {
+class Table : public bench::CollectedRuns {
 public:
-    bool ReportContext(const Context &) override { return true; }
-
-    void ReportRuns(const std::vector<Run> &runs) override {
-        for (const Run &run : runs) {
-            if (run.run_type == Run::RT_Iteration) {
-                runs_[run.run_name.function_name].push_back(run);
-            }
-        }
-    }
-
     // The cost is what a frame takes beside its rendering alone, which is that of the naive way:
     // nothing else runs then.
     void Finalize() override {
         say(fmt::format("\n{:<22} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}", "milliseconds", "a frame",
                         "render", "present", "overlap", "cost", "frames/s"));
-        for (const auto &[name, runs] : runs_) {
+        for (const auto &[name, runs] : this->runs()) {
             if (runs.front().error_occurred) {
                 say(fmt::format("{:<22} not here: {}", name, runs.front().error_message));
                 continue;
@@ -158,15 +146,10 @@ public:
     }
 
 private:
-    static double counter(const std::vector<Run> &runs, const char *key) {
-        return median_of(runs, [key](const Run &run) { return run.counters.at(key).value; });
-    }
     double render_alone(const std::string &name) const {
-        const auto naive = runs_.find(name.substr(0, name.find('/')) + "/naive");
-        return naive == runs_.end() ? std::nan("") : counter(naive->second, "render");
+        const auto naive = runs().find(name.substr(0, name.find('/')) + "/naive");
+        return naive == runs().end() ? std::nan("") : counter(naive->second, "render");
     }
-
-    std::map<std::string, std::vector<Run>> runs_;
 };
 
 void register_all(const Work &work, Progress &progress) {
@@ -186,7 +169,7 @@ void register_all(const Work &work, Progress &progress) {
     add("naive", [](const Work &w) { return show_naively(w); });
 }
 
-int bench(int argc, char **argv) {
+int bench_interop(int argc, char **argv) {
     const std::vector<Work> works{work_of("01_primitives"), work_of("07_interop")};
     Progress progress("measuring", 3 * repetitions * works.size());
     for (const Work &work : works) {
@@ -197,19 +180,13 @@ int bench(int argc, char **argv) {
         say(fmt::format("OpenCL: {}\nOpenGL: {}", device_for(window).getInfo<CL_DEVICE_NAME>(),
                         reinterpret_cast<const char *>(glGetString(GL_RENDERER))));
     }
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-        return exit_user_error;
-    }
     Table table;
-    benchmark::RunSpecifiedBenchmarks(&table);
-    benchmark::Shutdown();
-    return exit_done;
+    return bench::run_benchmarks(argc, argv, table);
 }
 
 }  // namespace
 }  // namespace stagelight
 
 int main(int argc, char **argv) {
-    return stagelight::run_main([&] { return stagelight::bench(argc, argv); });
+    return stagelight::run_main([&] { return stagelight::bench_interop(argc, argv); });
 }

@@ -2,6 +2,7 @@
 #include "bench/report.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,19 @@ std::string table(const std::vector<std::vector<std::string>> &rows) {
 
 void say(const std::string &what) {
     fmt::print(stderr, "bench: {}\n", what);
+}
+
+double fitted_exponent(const std::vector<double> &x, const std::vector<double> &y) {
+    const auto count = static_cast<double>(x.size());
+    double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double log_x = std::log(x[i]), log_y = std::log(y[i]);
+        sum_x += log_x;
+        sum_y += log_y;
+        sum_xx += log_x * log_x;
+        sum_xy += log_x * log_y;
+    }
+    return (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
 }
 
 }  // namespace stagelight::bench

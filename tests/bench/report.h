@@ -43,4 +43,20 @@ double median_time_of(int runs, const auto &work) {
     return median(std::move(times));
 }
 
+// What `draw(i)` returns for each i below `count`, in turn, `rounds` times: what slows the machine
+// down for a while slows all. By i.
+std::vector<std::vector<double>> in_turn(std::size_t count, int rounds, const auto &draw) {
+    std::vector<std::vector<double>> times(count);
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < count; ++i) {
+            times[i].push_back(draw(i));
+        }
+    }
+    return times;
+}
+
+// The exponent p of the power law y = c x^p that fits best: the slope of a line through the
+// logarithms, by least squares. Of two points or more, all above 0.
+double fitted_exponent(const std::vector<double> &x, const std::vector<double> &y);
+
 }  // namespace stagelight::bench

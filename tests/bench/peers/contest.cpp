@@ -65,10 +65,10 @@ bool agree(std::vector<Contestant> &contestants, const reference::Result &truth,
 }
 
 void time_in_turn(std::vector<Contestant> &contestants, int rounds) {
-    for (int round = 0; round < rounds; ++round) {
-        for (Contestant &contestant : contestants) {
-            contestant.milliseconds.push_back(contestant.draw().milliseconds);
-        }
+    const auto times = in_turn(contestants.size(), rounds,
+                               [&](std::size_t i) { return contestants[i].draw().milliseconds; });
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+        contestants[i].milliseconds = times[i];
     }
 }
 

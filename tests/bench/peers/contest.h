@@ -46,7 +46,7 @@ struct Agreement {
 bool agree(std::vector<Contestant> &contestants, const reference::Result &truth,
            const Agreement &agreement = {});
 
-// Each draws in turn, `rounds` times: what slows the machine down for a while slows all.
+// Each draws in turn, `rounds` times.
 void time_in_turn(std::vector<Contestant> &contestants, int rounds);
 
 // The median over the rounds of how many times longer `other` took than `one`.

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "bench/measured_program.h"
+
+#include "bench/stages.h"
+#include "device/bvh.h"
+
+namespace stagelight::bench {
+namespace {
+
+// Each kind in million rays a second.
+ordered_json rates_json(const RayTotals &rays, double milliseconds) {
+    ordered_json rates = rays_json(rays);
+    for (auto &rate : rates) {
+        rate = rate.get<double>() / milliseconds / 1000;
+    }
+    rates["all"] = static_cast<double>(rays.traced()) / milliseconds / 1000;
+    return rates;
+}
+
+ordered_json error_json(const Comparison &comparison) {
+    return {{"worst_interior", comparison.worst_interior},
+            {"interior_outliers", comparison.interior_outliers},
+            {"edge_outliers", comparison.edge_outliers},
+            {"strays", comparison.strays},
+            {"mean_signed", comparison.mean_signed_error},
+            {"rmse", comparison.rmse}};
+}
+
+}  // namespace
+
+MeasuredProgram::MeasuredProgram(const cl::Device &device, const std::string &stage,
+                                 const Scene &scene)
+    : stage_(stage), renderer_(device, stage, scene, settings_of(scene)) {
+    if (renderer_.bytes().contains("bvh_nodes")) {
+        tree_milliseconds_ = time_of([&] { build_bvh(scene); });
+    }
+    const Frame first = renderer_.render();
+    const reference::Result truth = reference_of(stage, scene, settings_of(scene));
+    rays_ = first.rays;
+    comparison_ = compare(first.image, truth.image, truth.edge, Tolerance());
+}
+
+double MeasuredProgram::draw() {
+    milliseconds_.push_back(renderer_.render().milliseconds);
+    return milliseconds_.back();
+}
+
+std::size_t MeasuredProgram::bytes() const {
+    return bytes_json(renderer_.bytes()).at("total").get<std::size_t>();
+}
+
+ordered_json MeasuredProgram::json() const {
+    const double middle = median(milliseconds_);
+    return {{"stage", stage_},
+            {"build",
+             {{"options", renderer_.stage_kernel().options()},
+              {"kernel_milliseconds", kernel_milliseconds()},
+              {"tree_milliseconds", tree_milliseconds_}}},
+            {"milliseconds", milliseconds_},
+            {"median", middle},
+            {"rays", rays_json(rays_)},
+            {"million_rays_per_second", rates_json(rays_, middle)},
+            {"bytes_on_device", bytes_json(renderer_.bytes())},
+            {"error", error_json(comparison_)}};
+}
+
+}  // namespace stagelight::bench
