@@ -16,7 +16,7 @@ constexpr int picture_size = 512;
 glm::dvec3 point_on_ring(double u, double v) {
     constexpr double radius = 1, tube = 0.4, wave = 0.03;
     const double a = 2 * std::numbers::pi * u, b = 2 * std::numbers::pi * v;
-    const double thickness = tube + wave * std::sin(12 * a) * std::sin(6 * b);
+    const double thickness = tube + wave * std::sin(6 * a) * std::sin(3 * b);
     const double across = radius + thickness * std::cos(b);
     return {across * std::cos(a), thickness * std::sin(b), across * std::sin(a)};
 }
@@ -57,11 +57,11 @@ Light point_light(const glm::dvec3 &position, double intensity) {
     return light;
 }
 
-Scene empty_scene(const glm::dvec3 &eye) {
+Scene empty_scene(const glm::dvec3 &eye, const glm::dvec3 &look_at) {
     Scene scene;
     scene.width = scene.height = picture_size;
     scene.camera.position = eye;
-    scene.camera.look_at = {0, 0, 0};
+    scene.camera.look_at = look_at;
     scene.camera.fov = 40;
     scene.background = {0.2, 0.25, 0.3};
     scene.materials.emplace_back();
@@ -69,7 +69,7 @@ Scene empty_scene(const glm::dvec3 &eye) {
 }
 
 Scene ring_without_light(int n) {
-    Scene scene = empty_scene({0, 2.6, 3.4});
+    Scene scene = empty_scene({0, 2.6, 3.4}, {0, 0, 0});
     scene.meshes.emplace_back();
     add_ring(scene, n);
     return scene;
@@ -94,7 +94,7 @@ Scene ring_in_lights(int count) {
 }
 
 Scene facing_mirrors(int depth) {
-    Scene scene = empty_scene({1.2, 0.3, 0.8});
+    Scene scene = empty_scene({0.6, 0.2, 0.9}, {0.25, 0.05, -1});
     scene.max_depth = depth;
     Material mirror;
     mirror.type = MaterialType::mirror;

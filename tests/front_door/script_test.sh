@@ -174,6 +174,27 @@ test_bench_without_a_display_starts_one_and_ends_it() {
     ! kill -0 "$(<"$scratch/xvfb")" 2>/dev/null || fail "Xvfb is still there"
 }
 
+test_bench_without_a_word_is_of_the_stages() {
+    make_bench
+    local options
+    for options in "" "--benchmark_filter=04 -v"; do
+        # shellcheck disable=SC2086 # no option at all is one of the cases
+        DISPLAY='' stagelight bench $options
+        expect_equal "exit code of '$options'" 0 $code
+        expect_equal "output" "on , : $options" "$output"
+        expect_equal "cmake" "cmake --build $checkout/build/release --target bench_stages" \
+            "$(calls cmake | tail -n 1)"
+    done
+}
+
+test_bench_scaling() {
+    make_bench
+    DISPLAY='' stagelight bench scaling
+    expect_equal "exit code" 0 $code
+    expect_equal "cmake" "cmake --build $checkout/build/release --target bench_scaling" \
+        "$(calls cmake | tail -n 1)"
+}
+
 # What only the peers need is installed, looked for and built for them alone.
 test_bench_peers_has_packages_and_a_build_of_its_own() {
     make_bench
@@ -192,7 +213,8 @@ cmake --build $checkout/build/peers --target bench_peers" "$(calls cmake)"
 test_bench_of_nothing_known() {
     stagelight bench speed
     expect_equal "exit code" 2 $code
-    expect_equal "message" "stagelight: bench 'speed': expected interop or peers" "$errors"
+    expect_equal "message" \
+        "stagelight: bench 'speed': expected nothing, scaling, peers or interop" "$errors"
 }
 
 test_failed_build_shows_the_compiler() {

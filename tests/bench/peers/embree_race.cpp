@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/peers/contest.h"
+#include "bench/contest.h"
 #include "bench/peers/embree_tracer.h"
 #include "bench/stages.h"
 #include "device/bvh.h"

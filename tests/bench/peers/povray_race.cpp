@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
-#include "bench/peers/contest.h"
-#include "bench/peers/povray.h"
+#include "bench/contest.h"
+#include "bench/povray.h"
 #include "bench/stages.h"
 #include "device/renderer.h"
 #include "image/image_io.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/peers/contest.h"
+#include "bench/contest.h"
 
 #include <cstdlib>
 

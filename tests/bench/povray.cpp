@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/peers/povray.h"
+#include "bench/povray.h"
 
 #include <cstdlib>
 #include <fstream>
