@@ -105,10 +105,10 @@ int export_scene(const std::string &stage, const Scene &scene, const RenderSetti
     if (choice(settings.methods, "interior") == "paper") {
         throw UserError("--export-pov: POV-Ray has no --method interior=paper");
     }
-    export_pov(scene,
-               {settings.width, settings.height, settings.max_depth,
-                decode_of(number, settings.methods)},
-               file);
+    export_pov(
+        scene,
+        {settings.width, settings.height, settings.max_depth, decode_of(number, settings.methods)},
+        file);
     fmt::print("wrote {}\n", file.string());
     return exit_done;
 }

@@ -11,10 +11,6 @@ namespace {
 // A share of the rays, which rounding may add or spare.
 constexpr double rounding_share = 1e-3;
 
-int outliers_of(const Comparison &comparison) {
-    return comparison.interior_outliers + comparison.edge_outliers + comparison.strays;
-}
-
 double megarays(const Contestant &contestant) {
     return static_cast<double>(contestant.rays) / median(contestant.milliseconds) / 1000;
 }

@@ -19,9 +19,7 @@ ordered_json rates_json(const RayTotals &rays, double milliseconds) {
 
 ordered_json error_json(const Comparison &comparison) {
     return {{"worst_interior", comparison.worst_interior},
-            {"interior_outliers", comparison.interior_outliers},
-            {"edge_outliers", comparison.edge_outliers},
-            {"strays", comparison.strays},
+            {"pixels_off", outliers_of(comparison)},
             {"mean_signed", comparison.mean_signed_error},
             {"rmse", comparison.rmse}};
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/stats.h"
+#include "image/compare.h"
 
 namespace stagelight::bench {
 
@@ -53,6 +54,11 @@ std::vector<std::vector<double>> in_turn(std::size_t count, int rounds, const au
         }
     }
     return times;
+}
+
+// Pixels more than the tolerance off, inside surfaces and on edges.
+inline int outliers_of(const Comparison &comparison) {
+    return comparison.interior_outliers + comparison.edge_outliers + comparison.strays;
 }
 
 // The exponent p of the power law y = c x^p that fits best: the slope of a line through the

@@ -57,6 +57,7 @@ std::vector<std::string> row(const std::string &stage, const Programs &programs)
         own.tree_milliseconds() > 0 ? fmt::format("{:.0f}", own.tree_milliseconds()) : "",
         fmt::format("{:.2f}", static_cast<double>(own.bytes()) / (1 << 20)),
         fmt::format("{:.1e}", own.comparison().worst_interior),
+        fmt::format("{}", outliers_of(own.comparison())),
         fmt::format("{:.1e}", own.comparison().rmse)};
     if (programs.size() > 1) {
         const MeasuredProgram &full = programs.back();
@@ -70,8 +71,8 @@ std::vector<std::string> row(const std::string &stage, const Programs &programs)
 
 void print_table(const Measured &measured) {
     std::vector<std::vector<std::string>> rows{{"", "ms", "runs", "million rays/s", "kernel, ms",
-                                                "tree, ms", "MiB", "worst interior", "RMSE",
-                                                "full tracer, ms", "to own", "its RMSE"}};
+                                                "tree, ms", "MiB", "worst interior", "pixels off",
+                                                "RMSE", "full tracer, ms", "to own", "its RMSE"}};
     for (const auto &[stage, programs] : measured) {
         rows.push_back(row(stage, programs));
     }
