@@ -26,7 +26,8 @@ std::string fault_of(const Contestant &contestant, std::uint64_t expected_rays,
         && std::abs(difference) > rounding_share * static_cast<double>(expected_rays)) {
         return fmt::format("{} rays, expected {}", contestant.rays, expected_rays);
     }
-    if (!(outliers_of(comparison) <= agreement.pixels * pixels)
+    if (!(comparison.interior_outliers <= agreement.inside * pixels)
+        || !(comparison.edge_outliers + comparison.strays <= agreement.edges * pixels)
         || !(std::abs(comparison.mean_signed_error) <= agreement.mean_signed_error)) {
         return to_string(comparison);
     }

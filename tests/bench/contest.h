@@ -36,7 +36,8 @@ Contestant ours(Renderer &renderer, const std::string &stage);
 
 // How far a picture may be from the truth's.
 struct Agreement {
-    double pixels = 1e-3;             // the share of them more than 1/255 off
+    double inside = 1e-3;             // the share of the pixels inside surfaces more than 1/255 off
+    double edges = 1e-3;              // and that of those on an edge, both of all pixels
     double mean_signed_error = 1e-4;  // as in Tolerance
 };
 

@@ -2,6 +2,7 @@
 // No figure is told of a tracer that draws another picture.
 #include "bench/contest.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,21 @@ TEST_F(Contest, RoundingMayTurnOnePixelInAThousand) {
     expect_taken(contestant("rounds", 10, 0.51F));
     EXPECT_EQ(
         expect_refused(contestant("differs", 11, 0.51F)).find("differs draws another picture"), 0U);
+}
+
+// Edges have a share of their own.
+TEST_F(Contest, EdgesAreJudgedApart) {
+    reference::Result truth = gray();
+    std::fill_n(truth.edge.begin(), 10, std::uint8_t{1});
+    const auto taken = [&](int pixels_off) {
+        std::vector<Contestant> contestants{contestant("right"),
+                                            contestant("rounds", pixels_off, 0.51F)};
+        return agree(contestants, truth);
+    };
+    EXPECT_TRUE(taken(20));
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE(taken(21));
+    testing::internal::GetCapturedStderr();
 }
 
 // So slightly that no pixel is off by itself.

@@ -22,8 +22,9 @@ constexpr int rounds = 5;
 constexpr int width = 800;
 constexpr int height = 480;
 
-// POV-Ray turns a smooth normal to the eye, we a facet: on silhouettes that is not the same.
-constexpr Agreement agreement{.pixels = 1e-2, .mean_signed_error = 1e-3};
+// POV-Ray turns a smooth normal to the eye, we a facet: on silhouettes, and in the glass of smooth
+// meshes, where all is edges, that is not the same.
+constexpr Agreement agreement{.edges = 3e-2, .mean_signed_error = 3e-3};
 
 // POV-Ray has Fresnel's own equations, where the stage knows them.
 Methods methods_in_common(const std::string &stage) {
