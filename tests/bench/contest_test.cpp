@@ -63,17 +63,19 @@ TEST_F(Contest, RoundingMayTurnOnePixelInAThousand) {
 
 // Edges have a share of their own.
 TEST_F(Contest, EdgesAreJudgedApart) {
-    reference::Result truth = gray();
-    std::fill_n(truth.edge.begin(), 10, std::uint8_t{1});
-    const auto taken = [&](int pixels_off) {
+    const auto agree_with = [](int edge_pixels, int pixels_off) {
+        reference::Result truth = gray();
+        std::fill_n(truth.edge.begin(), edge_pixels, std::uint8_t{1});
         std::vector<Contestant> contestants{contestant("right"),
                                             contestant("rounds", pixels_off, 0.51F)};
-        return agree(contestants, truth);
+        testing::internal::CaptureStderr();
+        const bool result = agree(contestants, truth);
+        testing::internal::GetCapturedStderr();
+        return result;
     };
-    EXPECT_TRUE(taken(20));
-    testing::internal::CaptureStderr();
-    EXPECT_FALSE(taken(21));
-    testing::internal::GetCapturedStderr();
+    EXPECT_TRUE(agree_with(10, 20));
+    EXPECT_FALSE(agree_with(11, 11));
+    EXPECT_FALSE(agree_with(10, 21));
 }
 
 // So slightly that no pixel is off by itself.
