@@ -37,13 +37,10 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
         return;
     }
     const Scene scene = SCENE_ARGUMENTS;
-    RayCounts counts = {0, 0, 0, 0};
-    WideInt shadow_rays = 0;
-    const Wide3 color = trace_tile(&scene, camera_rays(&camera, corner), &shadow_rays,
-                                   &counts TEXTURE_ARGUMENT);
-    counts.shadow += sum_of_lanes(shadow_rays);
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
     Lanes3 colors;
-    store_lanes(&colors, color);
+    store_lanes(&colors,
+                trace_tile(&scene, camera_rays(&camera, corner), &counts TEXTURE_ARGUMENT));
     for (int lane = 0; lane < WIDTH; ++lane) {
         const int2 pixel = corner + (int2)(lane % TILE_WIDTH, lane / TILE_WIDTH);
         if (pixel.x < camera.size.x && pixel.y < camera.size.y) {

@@ -39,8 +39,8 @@ static Hit get_hit(const HitLanes *lanes, const int lane) {
 // One ray of each lane: the light that its hit sends on at once. The rays for the rest go onto the
 // lane's stack.
 static Wide3 trace_rays(const Scene *scene, const WideRays *rays, const PendingRay *incoming,
-                        RayStack *stacks, WideInt *shadow_rays,
-                        RayCounts *counts TEXTURE_PARAMETER) {
+                        RayStack *stacks, RayCounts *counts,
+                        WideInt *shadow_rays TEXTURE_PARAMETER) {
     const WideHits hits = closest_hits(scene, rays);
     HitLanes hit_lanes;
     store_hits(&hit_lanes, &hits);
@@ -62,7 +62,7 @@ static Wide3 trace_rays(const Scene *scene, const WideRays *rays, const PendingR
         if (hit.shape != SHAPE_NONE) {
             const Surface surface = get_surface(&surface_lanes, lane);
             lit[lane] = shade(scene, &incoming[lane], hit, &surface, &weight, &stacks[lane],
-                              counts TEXTURE_ARGUMENT);
+                              &counts[lane] TEXTURE_ARGUMENT);
         }
         put_lane(&weights, lane, weight);
     }
@@ -104,11 +104,12 @@ static bool pop_rays(RayStack *stacks, PendingRay *incoming, WideRays *rays) {
 }
 #endif
 
-// As trace, of a tile's primary rays.
-static Wide3 trace_tile(const Scene *scene, WideRays rays, WideInt *shadow_rays,
-                        RayCounts *counts TEXTURE_PARAMETER) {
+// As trace, of a tile's primary rays; `sum` comes empty.
+static Wide3 trace_tile(const Scene *scene, WideRays rays, RayCounts *sum TEXTURE_PARAMETER) {
     PendingRay incoming[WIDTH];
     RayStack stacks[WIDTH];
+    RayCounts counts[WIDTH];
+    WideInt shadow_rays = 0;
     Lanes3 origins, directions;
     store_lanes(&origins, rays.origin);
     store_lanes(&directions, rays.direction);
@@ -117,15 +118,24 @@ static Wide3 trace_tile(const Scene *scene, WideRays rays, WideInt *shadow_rays,
         const PendingRay primary = primary_ray(ray);
         copy_pending(&incoming[lane], &primary);
         stacks[lane].count = 0;
+        counts[lane] = *sum;
     }
     Wide3 color =
-        trace_rays(scene, &rays, incoming, stacks, shadow_rays, counts TEXTURE_ARGUMENT);
+        trace_rays(scene, &rays, incoming, stacks, counts, &shadow_rays TEXTURE_ARGUMENT);
 #if HAS_REFLECTION || HAS_DIELECTRIC
     while (pop_rays(stacks, incoming, &rays)) {
-        color = wide_sum(color, trace_rays(scene, &rays, incoming, stacks, shadow_rays,
-                                           counts TEXTURE_ARGUMENT));
+        color = wide_sum(color, trace_rays(scene, &rays, incoming, stacks, counts,
+                                           &shadow_rays TEXTURE_ARGUMENT));
     }
 #endif
+    sum->shadow = sum_of_lanes(shadow_rays);
+    for (int lane = 0; lane < WIDTH; ++lane) {
+        sum->reflection += counts[lane].reflection;
+        sum->refraction += counts[lane].refraction;
+        sum->dropped += counts[lane].dropped;
+        sum->faded += counts[lane].faded;
+        sum->faded_weight = max(sum->faded_weight, counts[lane].faded_weight);
+    }
     return color;
 }
 // #endregion wide_trace

@@ -23,7 +23,7 @@ constexpr Part parts[] = {
     {"TRIANGLE_COUNT", 5, "triangles", "there is no mesh"},
     {"HAS_TEXTURES", 6, "textures", "no material has a texture"},
     {"HAS_MESH_TEXTURES", 6, "texture coordinates of vertices", "no mesh has a texture"},
-    {"BVH_DEPTH", 9, "tree", "no triangles"},
+    {"BVH_WIDTH", 9, "tree", "no triangles"},
     {"HAS_DIELECTRIC_MESH", 10, "smooth glass", "no mesh is dielectric"},
 };
 
