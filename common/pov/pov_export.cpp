@@ -48,16 +48,19 @@ std::string camera(const CameraDescription &camera, const PovSettings &settings)
                        vector(width * settings.height / settings.width * up));
 }
 
-// Half of the largest extent of what has one.
+// How far from the origin anything is that has a place; a unit where all is there.
 double reach_of(const Scene &scene) {
     double reach = glm::length(scene.camera.position);
     for (const Sphere &sphere : scene.spheres) {
         reach = std::max(reach, glm::length(sphere.center) + sphere.radius);
     }
+    for (const Plane &plane : scene.planes) {
+        reach = std::max(reach, std::abs(glm::dot(plane.normal, plane.point)));
+    }
     for (const Vertex &vertex : scene.vertices) {
         reach = std::max(reach, glm::length(vertex.position));
     }
-    return reach;
+    return reach > 0 ? reach : 1;
 }
 
 // POV-Ray's light fades as 2 / (1 + (d / f)^2), f the fade_distance: where f is next to nothing
@@ -104,8 +107,9 @@ void export_pov(const Scene &scene, const PovSettings &settings,
 
     std::string text = head(settings, file) + camera(scene.camera, settings)
                        + fmt::format("background {{ rgb {} }}\n", vector(scene.background));
+    const double reach = reach_of(scene);
     for (const Light &one : scene.lights) {
-        text += light(one, reach_of(scene));
+        text += light(one, reach);
     }
     for (const std::size_t number : used) {
         text += material(scene, number, settings.decode, file);

@@ -51,6 +51,18 @@ TEST_F(Export, PointLightFadesWithTheSquare) {
     }
 }
 
+// All else is at the origin, which says nothing of how large the scene is.
+TEST_F(Export, LightsOfASceneWithoutExtent) {
+    Scene scene;
+    add_plane(scene, {0, 1, 0}, {0, 0, 0}, diffuse({1, 1, 1}));
+    add_point_light(scene, {0, 2, 0}, {1, 1, 1}, 1);
+    add_directional_light(scene, {0, -1, 0}, {1, 1, 1}, 1);
+    const std::string text = exported(scene);
+    EXPECT_GT(number_after(text, "fade_distance"), 0);
+    expect_near(vector_after(text.substr(text.rfind("light_source")), "light_source"), {0, 1e4, 0},
+                rounding);
+}
+
 // It shines from a plane on: nothing of the scene may lie behind that.
 TEST_F(Export, DirectionalLightIsFarBehindEverything) {
     Scene scene;
