@@ -117,15 +117,16 @@ typedef struct BvhNode {
 } BvhNode;
 #endif
 
-// How many rays of a kind were traced, how many the depth limit dropped, and how many had faded: one
-// a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
+// How many rays of a kind were traced, how many the depth limit dropped, and how many had faded:
+// one a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
 typedef struct RayCounts {
     uint shadow;
     uint reflection;
     uint refraction;
     uint dropped;
     uint faded;         // too weak to be traced
-    uint faded_weight;  // their sum, FADED_WEIGHT_ONE for all of a pixel; of a row the largest pixel's
+    uint faded_weight;  // their sum, FADED_WEIGHT_ONE for all of a pixel; of a row the largest
+                        // pixel's
 } RayCounts;
 #define FADED_WEIGHT_ONE 16777216.0f
 

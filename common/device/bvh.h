@@ -23,6 +23,6 @@ struct Bvh {
 // Getting Rid of Packets, 2008, section 3). The boxes hold the vertices as the device has them, in
 // float, with room for what rounding does to rays. The tree is the same on any number of cores; a
 // scene without triangles has no nodes.
-Bvh build_bvh(const Scene &scene, int width);
+Bvh build_bvh(const Scene &scene, int width = 4);
 
 }  // namespace stagelight

@@ -15,8 +15,8 @@ std::size_t picture_bytes(const cl::Device &device, int width, int height);
 
 // Throws UserError, with the bytes needed and had, where triangles, textures (decoded or not) and
 // picture together are more than the device's memory. `pictures` is how many buffers of its size
-// there are. A tree over the triangles, whose size is known when it is built, comes on top.
+// there are. The nodes of a tree, whose number is known when it is built, come on top.
 void require_memory(const cl::Device &device, const Scene &scene, Transfer decode,
-                    std::size_t picture, int pictures);
+                    std::size_t picture, int pictures, bool with_tree);
 
 }  // namespace stagelight

@@ -12,10 +12,10 @@
 namespace stagelight {
 
 // From this stage on a ray that carries less than one part in `faded_one_in` of a pixel is not
-// traced, and the depth follows from the scene. Measured at 320x192 on the room, Suzanne in glass and
-// the amber of 04_interior: no pixel is off by more than 0.00094, a quarter of 1/255, and none by
-// more than one code of an sRGB picture, for 20, 45 and 42 % fewer rays; with 1/1024 by 0.0038, and
-// by four codes and more.
+// traced, and the depth follows from the scene. Measured at 320x192 on the room, Suzanne in glass
+// and the amber of 04_interior: no pixel is off by more than 0.00094, a quarter of 1/255, and none
+// by more than one code of an sRGB picture, for 20, 45 and 42 % fewer rays; with 1/1024 by 0.0038,
+// and by four codes and more.
 constexpr int fading_stage = 10;
 constexpr int faded_one_in = 4096;
 

@@ -138,14 +138,14 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
       samples_(settings.samples) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
-                   settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
+                   settings.samples > 1 ? 3 : 1,  // a sample and the sum of all, beside their mean
+                   stage_number(stage) >= acceleration_stage);
     Bvh bvh;
     if (stage_number(stage) >= acceleration_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
         const int children = std::stoi(choice(settings.methods, "nodes"));
-        milliseconds_.tree =
-            timed("building the tree", [&] { bvh = build_bvh(scene, children); });
+        milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, children); });
     }
     if (!bvh.nodes.empty()) {
         needs_.emplace_back("BVH_WIDTH", bvh.width);

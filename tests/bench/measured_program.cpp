@@ -2,7 +2,6 @@
 #include "bench/measured_program.h"
 
 #include "bench/stages.h"
-#include "device/bvh.h"
 
 namespace stagelight::bench {
 namespace {
@@ -29,9 +28,6 @@ ordered_json error_json(const Comparison &comparison) {
 MeasuredProgram::MeasuredProgram(const cl::Device &device, const std::string &stage,
                                  const Scene &scene)
     : stage_(stage), renderer_(device, stage, scene, settings_of(scene)) {
-    if (renderer_.bytes().contains("bvh_nodes")) {
-        tree_milliseconds_ = time_of([&] { build_bvh(scene); });
-    }
     const Frame first = renderer_.render();
     const reference::Result truth = reference_of(stage, scene, settings_of(scene));
     rays_ = first.rays;
@@ -52,8 +48,8 @@ ordered_json MeasuredProgram::json() const {
     return {{"stage", stage_},
             {"build",
              {{"options", renderer_.stage_kernel().options()},
-              {"kernel_milliseconds", kernel_milliseconds()},
-              {"tree_milliseconds", tree_milliseconds_}}},
+              {"kernel_milliseconds", build().kernel},
+              {"tree_milliseconds", build().tree}}},
             {"milliseconds", milliseconds_},
             {"median", middle},
             {"rays", rays_json(rays_)},

@@ -26,15 +26,13 @@ public:
     const std::vector<double> &milliseconds() const { return milliseconds_; }
     const RayTotals &rays() const { return rays_; }
     std::size_t bytes() const;
-    double kernel_milliseconds() const { return renderer_.stage_kernel().build_milliseconds(); }
-    double tree_milliseconds() const { return tree_milliseconds_; }  // 0 where there is none
+    const BuildTimes &build() const { return renderer_.stage_kernel().milliseconds(); }
     const Comparison &comparison() const { return comparison_; }
     ordered_json json() const;
 
 private:
     std::string stage_;
     Renderer renderer_;
-    double tree_milliseconds_ = 0;
     RayTotals rays_;
     Comparison comparison_;
     std::vector<double> milliseconds_;

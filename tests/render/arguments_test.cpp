@@ -57,7 +57,7 @@ Sizes sizes_of(const Scene &scene, const Names &parts, std::size_t texel) {
                 {"lights", scene.lights.size() * 64},
                 {"triangles", scene.triangles.size() * 16},
                 {"facets", scene.triangles.size() * 36},
-                {"bvh_nodes", build_bvh(scene, 4).nodes.size() * 4},
+                {"bvh_nodes", build_bvh(scene).nodes.size() * 4},
                 {"vertex_positions", vertices * 16},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
@@ -109,12 +109,10 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
                                                     "vertex_texture_coordinates"}},
-            DefaultScene{"09_acceleration",
-                         shaded + tree + Names{"spheres", "planes", "lights"}},
-            DefaultScene{"10_full_tracer",
-                         shaded + tree
-                             + Names{"spheres", "planes", "lights", "textures",
-                                     "vertex_texture_coordinates"}}),
+            DefaultScene{"09_acceleration", shaded + tree + Names{"spheres", "planes", "lights"}},
+            DefaultScene{"10_full_tracer", shaded + tree
+                                               + Names{"spheres", "planes", "lights", "textures",
+                                                       "vertex_texture_coordinates"}}),
         each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param).stage + "_" + std::get<1>(scene.param);
