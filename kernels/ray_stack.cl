@@ -16,8 +16,8 @@ typedef struct PendingRay {
 // The host knows what a scene's rays can spawn: where each spawns one at most, one place
 // will do; where a ray may split in two, one of each depth can be left waiting.
 typedef struct RayStack {
-    PendingRay rays[STACK_SIZE];
     int count;
+    PendingRay rays[STACK_SIZE];
 } RayStack;
 
 static PendingRay primary_ray(const Ray ray) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 09: acceleration. What is not in a box that a ray meets need not be tried, and rays that run
-// side by side are traced side by side.
-#if BVH_WIDTH > 0
-#include "bvh.cl"  // new: a tree of boxes, and the walk down it
-#endif
+// side by side are traced side by side. New: bvh.cl has the tree of boxes and the walk down it.
 #include "wide.cl"          // new: a number for each of many rays
 #include "wide_hit.cl"      // new: the tests of spheres and planes, for many rays
 #include "wide_light.cl"    // new: the lights, for many points

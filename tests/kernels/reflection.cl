@@ -45,8 +45,8 @@ __kernel void faded(__global uint4 *results, __global const float4 *weights) {
     const size_t i = get_global_id(0);
     const Ray primary = {(float3)(0.0f), (float3)(0.0f, 0.0f, 1.0f)};
     RayStack stack;
-    start_stack(&stack, primary);
-    PendingRay ray = stack.rays[--stack.count];
+    stack.count = 0;
+    PendingRay ray = primary_ray(primary);
     ray.weight = weights[i].xyz;
     ray.depth = convert_int(weights[i].w);
     uint traced = 0;
