@@ -36,7 +36,6 @@ static int bits_of(const JOIN(int, BVH_WIDTH) mask) {
 // where the ray is. With it, a direction of 0 may be taken for the smallest that counts: a ray in the
 // plane of a side stays inside. Every choice between two numbers below keeps the box where one of
 // them is not a number.
-#define SLAB_ROOM 2.3841858e-7f
 #define SMALLEST_DIRECTION 1e-24f
 
 typedef struct SlabAxis {

@@ -108,6 +108,14 @@ typedef struct Facet {
     float edge_c[3];
 } Facet;
 
+// Of a coordinate: how far rounding may move what is measured from it, with room to spare. Boxes
+// are grown by it on the host, and for a ray's own origin on the device (kernels/bvh.cl, "slab").
+#define SLAB_ROOM 2.3841858e-7f
+
+// How many pixels a row has of the tile that a work-item of `width` pixels draws: as square as can
+// be.
+#define TILE_WIDTH_OF(width) ((width) < 4 ? 1 : (width) < 8 ? 2 : 4)
+
 #if BVH_WIDTH > 0
 // Boxes around triangles, side by side, so that all are tried at once.
 typedef struct BvhNode {

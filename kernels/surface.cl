@@ -37,8 +37,9 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
 }
 #endif
 
-// The surface at a hit, its normals turned to the side that the ray came from.
-static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
+// What is known of a surface for having looked it up: the normals of a triangle are left as long as
+// they come.
+static Surface fetch_surface(const Scene *scene, const Ray ray, const Hit hit) {
     Surface surface;
     switch (hit.shape) {
 #if SPHERE_COUNT > 0
@@ -53,12 +54,23 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
 #endif
 #if TRIANGLE_COUNT > 0
     case SHAPE_TRIANGLE:
-        triangle_surface(&surface, scene, hit);
+        fetch_triangle(&surface, scene, hit);
         break;
 #endif
     default:
         break;
     }
+    return surface;
+}
+
+// The surface at a hit, its normals turned to the side that the ray came from.
+static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
+    Surface surface = fetch_surface(scene, ray, hit);
+#if TRIANGLE_COUNT > 0
+    if (hit.shape == SHAPE_TRIANGLE) {
+        finish_triangle(&surface);
+    }
+#endif
     surface.from_behind = dot(surface.geometric_normal, ray.direction) > 0.0f;
     if (surface.from_behind) {
         surface.normal = -surface.normal;

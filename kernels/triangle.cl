@@ -92,8 +92,7 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
 }
 
 // The facet's normal is on the side of the vertices' normals, whichever way round the corners are.
-static void triangle_surface(Surface *surface, const Scene *scene, const Hit hit) {
-    fetch_triangle(surface, scene, hit);
+static void finish_triangle(Surface *surface) {
     surface->normal = normalize(surface->normal);
     const float3 facet = normalize(surface->geometric_normal);
     surface->geometric_normal = dot(facet, surface->normal) < 0.0f ? -facet : facet;

@@ -21,27 +21,24 @@ typedef JOIN(int, WIDTH) WideInt;
 #define STORE_WIDE(value, lanes) JOIN(vstore, WIDTH)(value, 0, lanes)
 #endif
 
-// The pixels of one work-item, as square as can be, so that their rays stay together: how many in a
-// row, and where each lane's is from the upper left one.
+// The pixels of one work-item, close together so that their rays are too: how many in a row, and where
+// each lane's is from the upper left one.
+#define TILE_WIDTH TILE_WIDTH_OF(WIDTH)
+#define TILE_HEIGHT (WIDTH / TILE_WIDTH)
 #if WIDTH == 1
-#define TILE_WIDTH 1
 #define LANE_X 0.0f
 #define LANE_Y 0.0f
 #elif WIDTH == 4
-#define TILE_WIDTH 2
 #define LANE_X (Wide)(0.0f, 1.0f, 0.0f, 1.0f)
 #define LANE_Y (Wide)(0.0f, 0.0f, 1.0f, 1.0f)
 #elif WIDTH == 8
-#define TILE_WIDTH 4
 #define LANE_X (Wide)(0.0f, 1.0f, 2.0f, 3.0f, 0.0f, 1.0f, 2.0f, 3.0f)
 #define LANE_Y (Wide)((float4)(0.0f), (float4)(1.0f))
 #elif WIDTH == 16
-#define TILE_WIDTH 4
 #define FOUR_LANES_X (float4)(0.0f, 1.0f, 2.0f, 3.0f)
 #define LANE_X (Wide)(FOUR_LANES_X, FOUR_LANES_X, FOUR_LANES_X, FOUR_LANES_X)
 #define LANE_Y (Wide)((float4)(0.0f), (float4)(1.0f), (float4)(2.0f), (float4)(3.0f))
 #endif
-#define TILE_HEIGHT (WIDTH / TILE_WIDTH)
 // #endregion wide
 
 // #region lanes

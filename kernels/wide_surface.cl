@@ -23,38 +23,18 @@ typedef struct SurfaceLanes {
 } SurfaceLanes;
 // #endregion wide_surfaces
 
-// #region fetch
-static void fetch_surface(const Scene *scene, const Ray ray, const Hit hit, const int lane,
-                          SurfaceLanes *lanes) {
-    Surface surface;
-    switch (hit.shape) {
-#if SPHERE_COUNT > 0
-    case SHAPE_SPHERE:
-        sphere_surface(&surface, scene->spheres[hit.index], ray, hit);
-        break;
-#endif
-#if PLANE_COUNT > 0
-    case SHAPE_PLANE:
-        plane_surface(&surface, scene->planes[hit.index], ray, hit);
-        break;
-#endif
-#if TRIANGLE_COUNT > 0
-    case SHAPE_TRIANGLE:
-        fetch_triangle(&surface, scene, hit);
-        break;
-#endif
-    default:
-        break;
-    }
-    put_lane(&lanes->position, lane, surface.position);
-    put_lane(&lanes->normal, lane, surface.normal);
-    put_lane(&lanes->geometric_normal, lane, surface.geometric_normal);
-    lanes->material[lane] = surface.material;
+// #region put_surface
+// As it was fetched: the rest is worked out for all lanes.
+static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surface) {
+    put_lane(&lanes->position, lane, surface->position);
+    put_lane(&lanes->normal, lane, surface->normal);
+    put_lane(&lanes->geometric_normal, lane, surface->geometric_normal);
+    lanes->material[lane] = surface->material;
 #if HAS_TEXTURES
-    lanes->texture_coordinates[lane] = surface.texture_coordinates;
+    lanes->texture_coordinates[lane] = surface->texture_coordinates;
 #endif
 }
-// #endregion fetch
+// #endregion put_surface
 
 // #region finish
 // `a` turned round where the mask is set.
@@ -70,7 +50,7 @@ static Wide wide_origin_offset(const WideRays *rays, const Wide distance) {
     return ORIGIN_OFFSET * (larger(x, larger(y, z)) + distance);
 }
 
-// As the ends of triangle_surface and surface_at.
+// As finish_triangle, and the end of surface_at.
 static WideSurfaces finish_surfaces(const WideRays *rays, const Wide distance,
                                     const SurfaceLanes *lanes) {
     WideSurfaces surfaces;

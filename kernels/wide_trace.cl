@@ -48,7 +48,8 @@ static Wide3 trace_rays(const Scene *scene, const WideRays *rays, const PendingR
     for (int lane = 0; lane < WIDTH; ++lane) {
         const Hit hit = get_hit(&hit_lanes, lane);
         if (hit.shape != SHAPE_NONE) {
-            fetch_surface(scene, incoming[lane].ray, hit, lane, &surface_lanes);
+            const Surface fetched = fetch_surface(scene, incoming[lane].ray, hit);
+            put_surface(&surface_lanes, lane, &fetched);
         }
     }
     const WideSurfaces surfaces = finish_surfaces(rays, hits.distance, &surface_lanes);

@@ -191,8 +191,7 @@ void report(const std::string &stage, const cl::Device &device, const StageKerne
     const double milliseconds = median(figures.frames);
     fmt::print("{}\n", device.getInfo<CL_DEVICE_NAME>());
     fmt::print("{}x{}: {:.1f} ms, {:.2f} million rays/s (kernel built in {:.0f} ms)\n",
-               settings.width, settings.height, milliseconds,
-               static_cast<double>(figures.rays.traced()) / milliseconds / 1000,
+               settings.width, settings.height, milliseconds, figures.rays.rate(milliseconds),
                kernel.milliseconds().kernel);
     fmt::print("from start to picture: {}\n", to_string(figures.startup));
     if (figures.rays.dropped > 0) {

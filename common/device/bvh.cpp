@@ -12,6 +12,8 @@
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
+#include "scene_types.h"
+
 namespace stagelight {
 namespace {
 
@@ -20,9 +22,6 @@ constexpr std::uint32_t parallel_from = 4096;  // triangles: a thread for fewer 
 constexpr int bin_count = 16;
 constexpr float traversal_cost = 1;  // of a node, in triangles: 0.5 to 1.5 are as good
 constexpr int deepest_by_cost = 32;  // then halves, so that the depth stays bounded
-
-// Of the largest coordinate: how far boxes are grown on every side (kernels/bvh.cl, "slab").
-constexpr float room_for_rounding = 2.3841858e-7F;
 
 struct Box {
     glm::vec3 low{std::numeric_limits<float>::infinity()};
@@ -91,7 +90,7 @@ public:
             static_cast<int>(std::bit_width(std::thread::hardware_concurrency()));
         const Part root = divide(all, 0, levels_of_threads);
         const glm::vec3 largest = glm::max(glm::abs(root.box.low), glm::abs(root.box.high));
-        room_ = room_for_rounding * std::max({largest.x, largest.y, largest.z});
+        room_ = SLAB_ROOM * std::max({largest.x, largest.y, largest.z});
         emit(children_of(root), 1);
         return std::move(bvh_);
     }
@@ -264,7 +263,7 @@ private:
         row(7) = child.branch == 0 ? child.range.size() : 0;
     }
 
-    float room_ = 0;
+    float room_ = 0;  // how far boxes are grown on every side
     std::vector<Box> boxes_;
     std::vector<Branch> branches_;
     Bvh bvh_;

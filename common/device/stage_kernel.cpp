@@ -239,7 +239,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
     if (plain_textures_) {
         launch_split(queue, width, height);
     } else {
-        const int tile_width = width_ == 1 ? 1 : width_ == 4 ? 2 : 4;  // kernels/wide.cl
+        const int tile_width = TILE_WIDTH_OF(width_);
         const int tile_height = width_ / tile_width;
         queue.enqueueNDRangeKernel(kernel_, cl::NullRange,
                                    cl::NDRange(work_items(width, tile_width, group_width),

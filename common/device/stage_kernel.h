@@ -45,6 +45,10 @@ struct RayTotals {
 
     RayTotals &operator+=(const RayTotals &more);
     std::uint64_t traced() const { return primary + shadow + reflection + refraction; }
+    // Million rays a second, of a picture that took so long.
+    double rate(double milliseconds) const {
+        return static_cast<double>(traced()) / milliseconds / 1000;
+    }
 };
 
 // What making a StageKernel has taken, milliseconds.

@@ -226,10 +226,10 @@ void Viewer::update_title(double milliseconds, const FinishedFrame &sample) {
     title_rests_ = rests;
     last_title_ = now;
     const std::string progress = samples > 1 ? fmt::format("  {}/{} samples", shown_, samples) : "";
-    window_.set_title(fmt::format(
-        "{}  {:.1f} ms{}  {:.1f} million rays/s  {}  {}", stage_, milliseconds, progress,
-        static_cast<double>(sample.rays.traced()) / sample.render.length() / 1000,
-        to_string(pipeline_.rung()), pipeline_.device().getInfo<CL_DEVICE_NAME>()));
+    window_.set_title(fmt::format("{}  {:.1f} ms{}  {:.1f} million rays/s  {}  {}", stage_,
+                                  milliseconds, progress, sample.rays.rate(sample.render.length()),
+                                  to_string(pipeline_.rung()),
+                                  pipeline_.device().getInfo<CL_DEVICE_NAME>()));
 }
 
 }  // namespace stagelight

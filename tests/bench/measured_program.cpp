@@ -12,7 +12,7 @@ ordered_json rates_json(const RayTotals &rays, double milliseconds) {
     for (auto &rate : rates) {
         rate = rate.get<double>() / milliseconds / 1000;
     }
-    rates["all"] = static_cast<double>(rays.traced()) / milliseconds / 1000;
+    rates["all"] = rays.rate(milliseconds);
     return rates;
 }
 

@@ -10,7 +10,6 @@
 #include "bench/generated_scenes.h"
 #include "bench/report.h"
 #include "bench/stages.h"
-#include "device/bvh.h"
 #include "device/device_choice.h"
 #include "device/renderer.h"
 #include "scene/errors.h"
@@ -69,8 +68,7 @@ public:
         });
         for (std::size_t i = 0; i < costs_.size(); ++i) {
             costs_[i].milliseconds = median(times[i]);
-            costs_[i].million_rays =
-                static_cast<double>(rays[i].traced()) / costs_[i].milliseconds / 1000;
+            costs_[i].million_rays = rays[i].rate(costs_[i].milliseconds);
         }
         return costs_;
     }
@@ -88,7 +86,7 @@ Costs over_triangles(const cl::Device &device) {
         const auto count = static_cast<double>(scene.triangles.size());
         say(fmt::format("{} triangles", count));
         Cost &cost = series.add(scene, count);
-        cost.tree_milliseconds = time_of([&] { build_bvh(scene); });
+        cost.tree_milliseconds = series.newest().stage_kernel().milliseconds().tree;
         cost.bytes_a_triangle = bytes_of_triangles(series.newest()) / count;
     }
     return series.timed();

@@ -52,7 +52,7 @@ std::vector<std::string> row(const std::string &stage, const Programs &programs)
         stage,
         fmt::format("{:.1f}", middle),
         fmt::format("{}", own.milliseconds().size()),
-        fmt::format("{:.2f}", static_cast<double>(own.rays().traced()) / middle / 1000),
+        fmt::format("{:.2f}", own.rays().rate(middle)),
         fmt::format("{:.0f}", own.build().kernel),
         own.build().tree > 0 ? fmt::format("{:.0f}", own.build().tree) : "",
         fmt::format("{:.2f}", static_cast<double>(own.bytes()) / (1 << 20)),

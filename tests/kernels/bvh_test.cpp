@@ -71,7 +71,7 @@ void put_box(Node &node, std::size_t child, const vec3 &low, const vec3 &high) {
             room = std::max({room, std::abs(low[axis]), std::abs(high[axis])});
         }
     }
-    room *= 2.3841858e-7F;
+    room *= SLAB_ROOM;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<int>(axis);
         node[4 * axis + child] = std::bit_cast<std::uint32_t>(low[i] - room);
