@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 09: a tree of boxes, so that rays try few of the triangles, and the walk of
-// WIDTH rays down it, side by side.
+// Introduced by stage 09: a tree of boxes, so that rays try few of the triangles, and the walk of a
+// work-item's rays down it, together.
 #include "scene.cl"
 #include "wide.cl"
 
@@ -10,19 +10,21 @@ typedef JOIN(float, BVH_WIDTH) Boxes;
 #define LOAD_BOXES(row) JOIN(vload, BVH_WIDTH)(0, row)
 #define STORE_BOXES(value, row) JOIN(vstore, BVH_WIDTH)(value, 0, row)
 
-// A bit for each child that the mask is set for.
-static int bits_of(const JOIN(int, BVH_WIDTH) mask) {
-#if BVH_WIDTH == 8
-    const int8 bits = mask & (int8)(1, 2, 4, 8, 16, 32, 64, 128);
-    const int4 four = bits.lo | bits.hi;
-    const int2 two = four.lo | four.hi;
-#elif BVH_WIDTH == 4
+// A bit for each that the mask is set for.
+static int bits_of_four(const int4 mask) {
     const int4 bits = mask & (int4)(1, 2, 4, 8);
     const int2 two = bits.lo | bits.hi;
-#else
-    const int2 two = mask & (int2)(1, 2);
-#endif
     return two.x | two.y;
+}
+
+static int bits_of(const JOIN(int, BVH_WIDTH) mask) {
+#if BVH_WIDTH == 8
+    return bits_of_four(mask.lo) | bits_of_four(mask.hi) << 4;
+#elif BVH_WIDTH == 4
+    return bits_of_four(mask);
+#else
+    return (mask.x & 1) | (mask.y & 2);
+#endif
 }
 // #endregion boxes
 
@@ -47,9 +49,12 @@ typedef struct SlabRays {
     SlabAxis x, y, z;
 } SlabRays;
 
+static Wide not_too_small(const Wide direction) {
+    return fabs(direction) < SMALLEST_DIRECTION ? (Wide)(SMALLEST_DIRECTION) : direction;
+}
+
 static SlabAxis slab_axis(const Wide origin, const Wide direction) {
-    const WideInt is_small = fabs(direction) < SMALLEST_DIRECTION;
-    const Wide inverse = 1.0f / (is_small ? (Wide)(SMALLEST_DIRECTION) : direction);
+    const Wide inverse = 1.0f / not_too_small(direction);
     const Wide room = fabs(origin) * SLAB_ROOM;
     const SlabAxis axis = {inverse, -(origin + room) * inverse, -(origin - room) * inverse};
     return axis;
@@ -80,77 +85,134 @@ static WideInt enter_box(__global const BvhNode *node, const int child, const Sl
 // #endregion slab
 
 // #region beam
-// All rays of a work-item as one thick ray: along each axis, the bounds of their origins and of the
-// inverses of their directions. Against that, all boxes of a node are tried at once, for little more
-// than a single ray would cost. Over the beam, the plane at p is met nowhere before the smaller of
-// p * inverse[0] + near[0] and p * inverse[1] + near[1], and nowhere after the larger of those with far.
+// All rays of a work-item as one thick ray: along each axis, the bounds of their origins and of their
+// directions. Against that, all boxes of a node are tried at once, for little more than a single ray
+// would cost.
+//
+// Where all rays go forwards, a box is entered through its low plane, and by none before the one that
+// starts nearest to it and is fastest; it is left through its high plane, and by none after the one
+// that starts farthest from it and is slowest. Each is a single p * inverse + offset. (It is another's
+// turn where the plane is behind that one. But then the box is behind all, or some are in it already.)
+typedef struct Bound {
+    PerPacket inverse, offset;
+} Bound;
+
 typedef struct BeamAxis {
-    float inverse[2];
-    float near[2], far[2];
-    int near_row, far_row;  // of BvhNode: the planes that are met first, and last
+    Bound enter;       // at the plane that is met first
+    Bound leave;       // at the other
+    Bound enter_back;  // at the other, where not all rays go the same way
 } BeamAxis;
 
+// Along an axis: where rays start, and how fast they are, at the least and at the most. A ray that is
+// not of finite numbers hits nothing, and must not widen the beam of the others.
+typedef struct Extent {
+    PerPacket low, high;
+    PerPacket slowest, fastest;
+} Extent;
+
 typedef struct Beam {
-    BeamAxis axes[3];
+    BeamAxis all[3];
+    int near_row[3], far_row[3];  // of BvhNode: the planes that are met first, and last
+#if PACKETS > 1
+    BeamAxis packets[3];  // each packet for itself
+    Extent extents[3];    // of each
+    bool is_narrow;       // all go nearly the same way
+#endif
 } Beam;
 
-// Rays that do not all go the same way along an axis are not bounded by its planes. A ray that is not
-// a number hits nothing, and must not widen or narrow the beam of the others.
-static BeamAxis beam_axis(const SlabAxis *slabs, const Wide origin, const WideInt there,
-                          const int row) {
-    const WideInt counts = there & (slabs->low == slabs->low) & (slabs->high == slabs->high);
-    const Wide room = fabs(origin) * SLAB_ROOM;
-    const float low = smallest_lane(counts ? origin - room : (Wide)(INFINITY));
-    const float high = largest_lane(counts ? origin + room : (Wide)(-INFINITY));
-    const float inverse_low = smallest_lane(counts ? slabs->inverse : (Wide)(INFINITY));
-    const float inverse_high = largest_lane(counts ? slabs->inverse : (Wide)(-INFINITY));
-    const bool forwards = inverse_low > 0.0f;
-    if (!forwards && !(inverse_high < 0.0f)) {
-        const BeamAxis unbounded = {
-            {0.0f, 0.0f}, {-INFINITY, -INFINITY}, {INFINITY, INFINITY}, row, row};
-        return unbounded;
+static Wide along_axis(const Wide3 *a, const int axis) {
+    return axis == 0 ? a->x : axis == 1 ? a->y : a->z;
+}
+
+static Extent extent_of(const WideRays *rays, const int axis) {
+    Wide low[PACKETS], minus_high[PACKETS], slowest[PACKETS], minus_fastest[PACKETS];
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        const Wide origin = along_axis(&rays[packet].origin, axis);
+        const Wide direction = not_too_small(along_axis(&rays[packet].direction, axis));
+        const Wide room = fabs(origin) * SLAB_ROOM;
+        const WideInt counts =
+            (rays[packet].limit > 0.0f) & (fabs(origin) + fabs(direction) < INFINITY);
+        low[packet] = counts ? origin - room : (Wide)(INFINITY);
+        minus_high[packet] = counts ? -origin - room : (Wide)(INFINITY);
+        slowest[packet] = counts ? direction : (Wide)(INFINITY);
+        minus_fastest[packet] = counts ? -direction : (Wide)(INFINITY);
     }
-    const float from_near = forwards ? high : low;
-    const float from_far = forwards ? low : high;
-    const BeamAxis axis = {{inverse_low, inverse_high},
-                           {-from_near * inverse_low, -from_near * inverse_high},
-                           {-from_far * inverse_low, -from_far * inverse_high},
-                           forwards ? row : row + 3,
-                           forwards ? row + 3 : row};
+    const Extent extent = {smallest_of_packets(low), -smallest_of_packets(minus_high),
+                           smallest_of_packets(slowest), -smallest_of_packets(minus_fastest)};
+    return extent;
+}
+
+static BeamAxis beam_axis(const Extent rays, const bool all_backwards) {
+    const PerPacket by_fastest = 1.0f / rays.fastest;
+    const PerPacket by_slowest = 1.0f / rays.slowest;
+    const Bound low = {by_fastest, -rays.high * by_fastest};
+    const Bound high = {by_slowest, -rays.low * by_slowest};
+    const Bound none = {0.0f, -INFINITY};
+    BeamAxis axis = {all_backwards ? high : low, all_backwards ? low : high, none};
+#if WIDTH > 1
+    if (!all_backwards) {
+        axis.enter.inverse = rays.fastest > 0.0f ? low.inverse : (PerPacket)(0.0f);
+        axis.enter.offset = rays.fastest > 0.0f ? low.offset : (PerPacket)(-INFINITY);
+        axis.leave.inverse = rays.slowest > 0.0f ? high.inverse : (PerPacket)(0.0f);
+        axis.leave.offset = rays.slowest > 0.0f ? high.offset : (PerPacket)(INFINITY);
+        axis.enter_back.inverse = rays.slowest > 0.0f ? (PerPacket)(0.0f) : high.inverse;
+        axis.enter_back.offset = rays.slowest > 0.0f ? (PerPacket)(-INFINITY) : high.offset;
+    }
+#endif
     return axis;
 }
 
-static Beam beam_of(const WideRays *rays, const SlabRays *slabs) {
-    const WideInt there = rays->limit > 0.0f;
-    const Beam beam = {{beam_axis(&slabs->x, rays->origin.x, there, 0),
-                        beam_axis(&slabs->y, rays->origin.y, there, 1),
-                        beam_axis(&slabs->z, rays->origin.z, there, 2)}};
-    return beam;
+// Around all that is within the extent.
+static void bound_beam(Beam *beam, const int axis, const Extent all) {
+    const bool all_backwards = largest_packet(all.fastest) < 0.0f;
+    beam->near_row[axis] = all_backwards ? axis + 3 : axis;
+    beam->far_row[axis] = all_backwards ? axis : axis + 3;
+    beam->all[axis] = beam_axis(all, all_backwards);
 }
+
+static void beam_of(Beam *beam, const WideRays *rays) {
+    float speed = 0.0f;
+    float spread = 0.0f;
+#pragma unroll
+    for (int axis = 0; axis < 3; ++axis) {
+        const Extent packets = extent_of(rays, axis);
+        const float slowest = smallest_packet(packets.slowest);
+        const float fastest = largest_packet(packets.fastest);
+        speed = max(speed, fabs(fastest));
+        spread = max(spread, fastest - slowest);
+        const Extent all = {smallest_packet(packets.low), largest_packet(packets.high), slowest,
+                            fastest};
+        bound_beam(beam, axis, all);
+#if PACKETS > 1
+        beam->extents[axis] = packets;
+        beam->packets[axis] = beam_axis(packets, beam->near_row[axis] != axis);
+#endif
+    }
+#if PACKETS > 1
+    beam->is_narrow = spread < 0.1f * speed;
+#endif
+}
+
+#if PACKETS > 1
+// Of a single packet from now on.
+static void narrow_beam(Beam *beam, const int packet) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const Extent *packets = &beam->extents[axis];
+        const Extent one = {get_packet(packets->low, packet), get_packet(packets->high, packet),
+                            get_packet(packets->slowest, packet),
+                            get_packet(packets->fastest, packet)};
+        bound_beam(beam, axis, one);
+    }
+}
+#endif
 // #endregion beam
 
 // #region enter_boxes
-static Boxes enter_slabs(__global const BvhNode *node, const BeamAxis *axis) {
-    const Boxes planes = LOAD_BOXES(node->planes[axis->near_row]);
-    const Boxes a = fma(planes, (Boxes)(axis->inverse[0]), (Boxes)(axis->near[0]));
-#if WIDTH == 1
-    return a;
+#if PACKETS == 1
+#define OF_ALL(number) (number)
 #else
-    const Boxes b = fma(planes, (Boxes)(axis->inverse[1]), (Boxes)(axis->near[1]));
-    return a < b ? a : b;
+#define OF_ALL(number) ((number).x)
 #endif
-}
-
-static Boxes leave_slabs(__global const BvhNode *node, const BeamAxis *axis) {
-    const Boxes planes = LOAD_BOXES(node->planes[axis->far_row]);
-    const Boxes a = fma(planes, (Boxes)(axis->inverse[0]), (Boxes)(axis->far[0]));
-#if WIDTH == 1
-    return a;
-#else
-    const Boxes b = fma(planes, (Boxes)(axis->inverse[1]), (Boxes)(axis->far[1]));
-    return a > b ? a : b;
-#endif
-}
 
 // Which children's boxes the beam is in anywhere before `limit`, a bit for each, and where it enters
 // them at the earliest.
@@ -158,22 +220,47 @@ static int enter_boxes(__global const BvhNode *node, const Beam *beam, const flo
                        Boxes *enter) {
     *enter = 0.0f;
     Boxes leave = limit;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Boxes near = enter_slabs(node, &beam->axes[axis]);
-        const Boxes far = leave_slabs(node, &beam->axes[axis]);
+#pragma unroll
+    for (int i = 0; i < 3; ++i) {
+        const BeamAxis *axis = &beam->all[i];
+        const Boxes near_planes = LOAD_BOXES(node->planes[beam->near_row[i]]);
+        const Boxes far_planes = LOAD_BOXES(node->planes[beam->far_row[i]]);
+        const Boxes near = fma(near_planes, (Boxes)(OF_ALL(axis->enter.inverse)),
+                               (Boxes)(OF_ALL(axis->enter.offset)));
+        const Boxes far = fma(far_planes, (Boxes)(OF_ALL(axis->leave.inverse)),
+                              (Boxes)(OF_ALL(axis->leave.offset)));
         *enter = near > *enter ? near : *enter;
         leave = far < leave ? far : leave;
+#if WIDTH > 1
+        const Boxes back = fma(far_planes, (Boxes)(OF_ALL(axis->enter_back.inverse)),
+                               (Boxes)(OF_ALL(axis->enter_back.offset)));
+        *enter = back > *enter ? back : *enter;
+#endif
     }
     return bits_of(*enter < leave);
 }
 
-// Those of them that a ray of its own is in as well.
-static bool any_enters(__global const BvhNode *node, const int child, const SlabRays *rays,
-                       const Wide limit) {
-#if WIDTH == 1
-    return true;  // the beam is the ray
+// Which packets are in the box of a child anywhere before their limits, a bit for each.
+static int packets_in(__global const BvhNode *node, const int child, const Beam *beam,
+                      const PerPacket limits) {
+#if PACKETS == 1
+    return 1;  // the beam is the packet
 #else
-    return any_lane(enter_box(node, child, rays, limit));
+    PerPacket enter = 0.0f;
+    PerPacket leave = limits;
+#pragma unroll
+    for (int i = 0; i < 3; ++i) {
+        const BeamAxis *axis = &beam->packets[i];
+        const PerPacket near_plane = node->planes[beam->near_row[i]][child];
+        const PerPacket far_plane = node->planes[beam->far_row[i]][child];
+        const PerPacket near = fma(near_plane, axis->enter.inverse, axis->enter.offset);
+        const PerPacket far = fma(far_plane, axis->leave.inverse, axis->leave.offset);
+        const PerPacket back = fma(far_plane, axis->enter_back.inverse, axis->enter_back.offset);
+        enter = near > enter ? near : enter;
+        enter = back > enter ? back : enter;
+        leave = far < leave ? far : leave;
+    }
+    return bits_of_four(enter < leave);
 #endif
 }
 // #endregion enter_boxes
@@ -195,30 +282,27 @@ static Wide intersect_facet(const WideRays *rays, __global const Facet *facet, W
     return hits ? t : (Wide)(INFINITY);
 }
 
-static void closest_in_leaf(const Scene *scene, const WideRays *rays, const uint first,
-                            const uint count, WideHits *closest) {
+// The rays' limits, and `closest` where it is not 0, as walk_down has them.
+static void try_leaf(const Scene *scene, WideRays *rays, const uint first, const uint count,
+                     WideHits *closest) {
     for (uint i = first; i < first + count; ++i) {
         Wide b, c;
         const Wide distance = intersect_facet(rays, &scene->facets[i], &b, &c);
-        const WideInt closer = distance < closest->distance;
-        closest->distance = closer ? distance : closest->distance;
-        closest->shape = closer ? (WideInt)(SHAPE_TRIANGLE) : closest->shape;
-        closest->index = closer ? (WideInt)(i) : closest->index;
-        closest->barycentric_b = closer ? b : closest->barycentric_b;
-        closest->barycentric_c = closer ? c : closest->barycentric_c;
-    }
-}
-
-static void block_in_leaf(const Scene *scene, WideRays *rays, const uint first, const uint count) {
-    for (uint i = first; i < first + count; ++i) {
-        Wide b, c;
-        const Wide t = intersect_facet(rays, &scene->facets[i], &b, &c);
-        rays->limit = t < rays->limit ? (Wide)(-1.0f) : rays->limit;
+        const WideInt closer = distance < rays->limit;
+        if (closest) {
+            rays->limit = closer ? distance : rays->limit;
+            closest->shape = closer ? (WideInt)(SHAPE_TRIANGLE) : closest->shape;
+            closest->index = closer ? (WideInt)(i) : closest->index;
+            closest->barycentric_b = closer ? b : closest->barycentric_b;
+            closest->barycentric_c = closer ? c : closest->barycentric_c;
+        } else {
+            rays->limit = closer ? (Wide)(-1.0f) : rays->limit;
+        }
     }
 }
 // #endregion facets
 
-// #region closest_triangle
+// #region waiting_nodes
 // The nodes that are still to be looked into, the nearest last.
 typedef struct WaitingNodes {
     uint node[BVH_STACK_SIZE];
@@ -236,65 +320,101 @@ static void let_wait(WaitingNodes *waiting, const int bottom, const uint node, c
     waiting->node[place] = node;
     waiting->enter[place] = enter;
 }
+// #endregion waiting_nodes
 
-// The nearer of a node's children first: what it hits may spare the others.
-static void closest_triangle(const Scene *scene, const WideRays *rays, WideHits *closest) {
-    const SlabRays slabs = slab_rays(rays);
-    const Beam beam = beam_of(rays, &slabs);
-    float limit = largest_lane(closest->distance);
+// #region walk
+// All packets go down together while that pays. A beam that has come to so many nodes enters many that
+// few of its rays do: then each packet goes on alone, and its rays are asked one by one.
+#define NODES_TOGETHER(beam) ((beam)->is_narrow ? 32 : 8)
+#define ALL_PACKETS -1
+
+// Down from the nodes that wait, the nearer of a node's children first: what it hits may spare the
+// others. With `closest`, to what each ray hits first, whose distance becomes its limit. Without, to
+// whether it hits anything: then it loses its limit.
+static void walk_down(const Scene *scene, WideRays *rays, WideHits *closest, const Beam *beam,
+                      const int alone, WaitingNodes *waiting) {
+    PerPacket limits = -1.0f;
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        if (alone == ALL_PACKETS || packet == alone) {
+            set_packet(&limits, packet, largest_lane(rays[packet].limit));
+        }
+    }
+    float limit = largest_packet(limits);
+#if PACKETS > 1
+    SlabRays slabs;
+    if (alone != ALL_PACKETS) {
+        slabs = slab_rays(&rays[alone]);
+    }
+    int nodes_left = alone == ALL_PACKETS ? NODES_TOGETHER(beam) : INT_MAX;
+#endif
+    while (waiting->count > 0) {
+#if PACKETS > 1
+        if (nodes_left-- == 0) {
+            return;
+        }
+#endif
+        const int bottom = --waiting->count;
+        if (waiting->enter[bottom] >= limit) {
+            continue;  // all rays have hit something before it
+        }
+        __global const BvhNode *node = &scene->bvh_nodes[waiting->node[bottom]];
+        Boxes enter;
+        float enters[BVH_WIDTH];
+        int found = enter_boxes(node, beam, limit, &enter);
+        STORE_BOXES(enter, enters);
+        for (int child = 0; found; ++child, found >>= 1) {
+            if (!(found & 1)) {
+                continue;
+            }
+#if PACKETS == 1
+            int in = 1;  // the beam is the ray
+#else
+            int in = alone == ALL_PACKETS ? packets_in(node, child, beam, limits)
+                     : any_lane(enter_box(node, child, &slabs, rays[alone].limit)) ? 1 << alone
+                                                                                   : 0;
+#endif
+            if (in && node->count[child] == 0) {
+                let_wait(waiting, closest ? bottom : waiting->count, node->first[child],
+                         enters[child]);
+                continue;
+            }
+            for (int packet = 0; in; ++packet, in >>= 1) {
+                if (in & 1) {
+                    try_leaf(scene, &rays[packet], node->first[child], node->count[child],
+                             closest ? &closest[packet] : 0);
+                    set_packet(&limits, packet, largest_lane(rays[packet].limit));
+                }
+            }
+            limit = largest_packet(limits);
+        }
+    }
+}
+
+static void walk(const Scene *scene, WideRays *rays, WideHits *closest) {
+    Beam beam;
+    beam_of(&beam, rays);
     WaitingNodes waiting;
     waiting.count = 0;
     let_wait(&waiting, 0, 0, 0.0f);
-    while (waiting.count > 0) {
-        --waiting.count;
-        if (waiting.enter[waiting.count] >= limit) {
-            continue;  // all rays have hit something before it
-        }
-        __global const BvhNode *node = &scene->bvh_nodes[waiting.node[waiting.count]];
-        const int bottom = waiting.count;
-        Boxes enter;
-        float enters[BVH_WIDTH];
-        int found = enter_boxes(node, &beam, limit, &enter);
-        STORE_BOXES(enter, enters);
-        for (int child = 0; found; ++child, found >>= 1) {
-            if (!(found & 1) || !any_enters(node, child, &slabs, closest->distance)) {
-                continue;
-            }
-            if (node->count[child] == 0) {
-                let_wait(&waiting, bottom, node->first[child], enters[child]);
-            } else {
-                closest_in_leaf(scene, rays, node->first[child], node->count[child], closest);
-                limit = largest_lane(closest->distance);
-            }
+    walk_down(scene, rays, closest, &beam, ALL_PACKETS, &waiting);
+#if PACKETS > 1
+    for (int packet = 0; packet < PACKETS && waiting.count > 0; ++packet) {
+        if (largest_lane(rays[packet].limit) > 0.0f) {
+            WaitingNodes of_packet = waiting;
+            narrow_beam(&beam, packet);
+            walk_down(scene, rays, closest, &beam, packet, &of_packet);
         }
     }
+#endif
 }
-// #endregion closest_triangle
 
-// #region block_triangles
-// The rays that have a triangle in their way lose their limit: nothing else that they meet matters.
-static void block_triangles(const Scene *scene, WideRays *rays) {
-    const SlabRays slabs = slab_rays(rays);
-    const Beam beam = beam_of(rays, &slabs);
-    float limit = largest_lane(rays->limit);
-    uint waiting[BVH_STACK_SIZE];
-    int count = 1;
-    waiting[0] = 0;
-    while (count > 0 && limit > 0.0f) {
-        __global const BvhNode *node = &scene->bvh_nodes[waiting[--count]];
-        Boxes enter;
-        int found = enter_boxes(node, &beam, limit, &enter);
-        for (int child = 0; found; ++child, found >>= 1) {
-            if (!(found & 1) || !any_enters(node, child, &slabs, rays->limit)) {
-                continue;
-            }
-            if (node->count[child] == 0) {
-                waiting[count++] = node->first[child];
-            } else {
-                block_in_leaf(scene, rays, node->first[child], node->count[child]);
-                limit = largest_lane(rays->limit);
-            }
-        }
-    }
+// A ray's limit becomes the distance of the triangle that it hits first.
+static void closest_triangle(const Scene *scene, WideRays *rays, WideHits *closest) {
+    walk(scene, rays, closest);
 }
-// #endregion block_triangles
+
+// A ray that has a triangle in its way loses its limit: nothing else that it meets matters.
+static void block_triangles(const Scene *scene, WideRays *rays) {
+    walk(scene, rays, 0);
+}
+// #endregion walk

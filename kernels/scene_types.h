@@ -112,9 +112,10 @@ typedef struct Facet {
 // are grown by it on the host, and for a ray's own origin on the device (kernels/bvh.cl, "slab").
 #define SLAB_ROOM 2.3841858e-7f
 
-// How many pixels a row has of the tile that a work-item of `width` pixels draws: as square as can
-// be.
+// Of the tile that a packet of `width` rays draws, how many pixels are in a row: as square as can
+// be. And of the block that a work-item draws, how many packets are in a row, and in a column.
 #define TILE_WIDTH_OF(width) ((width) < 4 ? 1 : (width) < 8 ? 2 : 4)
+#define PACKETS_IN_ROW_OF(width) ((width) == 1 ? 1 : 2)
 
 #if BVH_WIDTH > 0
 // Boxes around triangles, side by side, so that all are tried at once.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 09: numbers for WIDTH rays at a time, a lane for each. A GPU puts work-items
 // side by side by itself: there WIDTH is 1, and all of this is scalar. A CPU's vector unit is given
-// 4, 8 or 16 numbers at once by the one work-item that traces so many pixels.
+// 4, 8 or 16 numbers at once by a work-item that traces several such packets of rays.
 #include "scene_types.h"
 
 // #region wide
@@ -12,19 +12,29 @@
 #if WIDTH == 1
 typedef float Wide;
 typedef int WideInt;
-#define LOAD_WIDE(lanes) (*(lanes))
-#define STORE_WIDE(value, lanes) (*(lanes) = (value))
 #else
 typedef JOIN(float, WIDTH) Wide;
 typedef JOIN(int, WIDTH) WideInt;
-#define LOAD_WIDE(lanes) JOIN(vload, WIDTH)(0, lanes)
-#define STORE_WIDE(value, lanes) JOIN(vstore, WIDTH)(value, 0, lanes)
 #endif
 
-// The pixels of one work-item, close together so that their rays are too: how many in a row, and where
-// each lane's is from the upper left one.
+// In memory, where each lane can be reached. Not by vload and vstore, which PoCL does in pieces: what
+// is stored in small pieces and loaded in large ones has to wait for the cache.
+typedef union Lanes {
+    Wide wide;
+    float lane[WIDTH];
+} Lanes;
+
+typedef union LanesInt {
+    WideInt wide;
+    int lane[WIDTH];
+} LanesInt;
+
+// The pixels of a packet are close together so that its rays are too, and so are the packets of a
+// work-item: how many there are in a row, and where each lane's is from the upper left one.
 #define TILE_WIDTH TILE_WIDTH_OF(WIDTH)
 #define TILE_HEIGHT (WIDTH / TILE_WIDTH)
+#define PACKETS_IN_ROW PACKETS_IN_ROW_OF(WIDTH)
+#define PACKETS (PACKETS_IN_ROW * PACKETS_IN_ROW)
 #if WIDTH == 1
 #define LANE_X 0.0f
 #define LANE_Y 0.0f
@@ -52,49 +62,52 @@ static Wide larger(const Wide a, const Wide b) {
     return a > b ? a : b;
 }
 
+// What is left of all lanes when they are combined until there are four.
+#if WIDTH == 16
+#define FOUR_OF(lanes, COMBINE)                    \
+    COMBINE(COMBINE((lanes).lo.lo, (lanes).lo.hi), \
+            COMBINE((lanes).hi.lo, (lanes).hi.hi))
+#elif WIDTH == 8
+#define FOUR_OF(lanes, COMBINE) COMBINE((lanes).lo, (lanes).hi)
+#else
+#define FOUR_OF(lanes, COMBINE) (lanes)
+#endif
+#define EITHER(a, b) ((a) | (b))
+#define SUM(a, b) ((a) + (b))
+#define SMALLER(a, b) ((a) < (b) ? (a) : (b))
+
 // Whether a mask is set in any lane. PoCL's any() is several times slower.
 static bool any_lane(const WideInt mask) {
 #if WIDTH == 1
     return mask;
 #else
-#if WIDTH == 16
-    const int8 eight = mask.lo | mask.hi;
-    const int4 four = eight.lo | eight.hi;
-#elif WIDTH == 8
-    const int4 four = mask.lo | mask.hi;
-#else
-    const int4 four = mask;
-#endif
+    const int4 four = FOUR_OF(mask, EITHER);
     const int2 two = four.lo | four.hi;
     return two.x | two.y;
 #endif
 }
 
 static int sum_of_lanes(const WideInt numbers) {
-    int lanes[WIDTH];
-    STORE_WIDE(numbers, lanes);
-    int sum = 0;
-    for (int lane = 0; lane < WIDTH; ++lane) {
-        sum += lanes[lane];
-    }
-    return sum;
+#if WIDTH == 1
+    return numbers;
+#else
+    const int4 four = FOUR_OF(numbers, SUM);
+    const int2 two = four.lo + four.hi;
+    return two.x + two.y;
+#endif
 }
 
 // Of numbers only: no NaN.
+static float smallest_of_four(const float4 numbers) {
+    const float2 two = SMALLER(numbers.lo, numbers.hi);
+    return SMALLER(two.x, two.y);
+}
+
 static float smallest_lane(const Wide lanes) {
 #if WIDTH == 1
     return lanes;
 #else
-#if WIDTH == 16
-    const float8 eight = lanes.lo < lanes.hi ? lanes.lo : lanes.hi;
-    const float4 four = eight.lo < eight.hi ? eight.lo : eight.hi;
-#elif WIDTH == 8
-    const float4 four = lanes.lo < lanes.hi ? lanes.lo : lanes.hi;
-#else
-    const float4 four = lanes;
-#endif
-    const float2 two = four.lo < four.hi ? four.lo : four.hi;
-    return two.x < two.y ? two.x : two.y;
+    return smallest_of_four(FOUR_OF(lanes, SMALLER));
 #endif
 }
 
@@ -103,6 +116,58 @@ static float largest_lane(const Wide lanes) {
 }
 // #endregion lanes
 
+// #region packets
+// A number for each packet of a work-item.
+#if PACKETS == 1
+typedef float PerPacket;
+#else
+typedef float4 PerPacket;
+#endif
+
+// The smallest lane of each packet.
+static PerPacket smallest_of_packets(const Wide *packets) {
+#if PACKETS == 1
+    return smallest_lane(packets[0]);
+#else
+    const float4 a = FOUR_OF(packets[0], SMALLER);
+    const float4 b = FOUR_OF(packets[1], SMALLER);
+    const float4 c = FOUR_OF(packets[2], SMALLER);
+    const float4 d = FOUR_OF(packets[3], SMALLER);
+    const float4 ab = SMALLER((float4)(a.lo, b.lo), (float4)(a.hi, b.hi));
+    const float4 cd = SMALLER((float4)(c.lo, d.lo), (float4)(c.hi, d.hi));
+    return SMALLER((float4)(ab.even, cd.even), (float4)(ab.odd, cd.odd));
+#endif
+}
+
+static float smallest_packet(const PerPacket packets) {
+#if PACKETS == 1
+    return packets;
+#else
+    return smallest_of_four(packets);
+#endif
+}
+
+static float largest_packet(const PerPacket packets) {
+    return -smallest_packet(-packets);
+}
+
+static float get_packet(const PerPacket packets, const int packet) {
+#if PACKETS == 1
+    return packets;
+#else
+    return packet == 0 ? packets.x : packet == 1 ? packets.y : packet == 2 ? packets.z : packets.w;
+#endif
+}
+
+static void set_packet(PerPacket *packets, const int packet, const float value) {
+#if PACKETS == 1
+    *packets = value;
+#else
+    *packets = (int4)(0, 1, 2, 3) == packet ? (float4)(value) : *packets;
+#endif
+}
+// #endregion packets
+
 // #region wide3
 // A vector for each ray: to calculate with, and in memory, where each lane can be reached.
 typedef struct Wide3 {
@@ -110,28 +175,28 @@ typedef struct Wide3 {
 } Wide3;
 
 typedef struct Lanes3 {
-    float x[WIDTH], y[WIDTH], z[WIDTH];
+    Lanes x, y, z;
 } Lanes3;
 
 static void put_lane(Lanes3 *lanes, const int lane, const float3 value) {
-    lanes->x[lane] = value.x;
-    lanes->y[lane] = value.y;
-    lanes->z[lane] = value.z;
+    lanes->x.lane[lane] = value.x;
+    lanes->y.lane[lane] = value.y;
+    lanes->z.lane[lane] = value.z;
 }
 
 static float3 get_lane(const Lanes3 *lanes, const int lane) {
-    return (float3)(lanes->x[lane], lanes->y[lane], lanes->z[lane]);
+    return (float3)(lanes->x.lane[lane], lanes->y.lane[lane], lanes->z.lane[lane]);
 }
 
 static Wide3 load_lanes(const Lanes3 *lanes) {
-    const Wide3 wide = {LOAD_WIDE(lanes->x), LOAD_WIDE(lanes->y), LOAD_WIDE(lanes->z)};
+    const Wide3 wide = {lanes->x.wide, lanes->y.wide, lanes->z.wide};
     return wide;
 }
 
 static void store_lanes(Lanes3 *lanes, const Wide3 wide) {
-    STORE_WIDE(wide.x, lanes->x);
-    STORE_WIDE(wide.y, lanes->y);
-    STORE_WIDE(wide.z, lanes->z);
+    lanes->x.wide = wide.x;
+    lanes->y.wide = wide.y;
+    lanes->z.wide = wide.z;
 }
 
 // The same in all lanes.
@@ -160,6 +225,13 @@ static Wide3 wide_scaled(const Wide by, const Wide3 a) {
     return scaled;
 }
 
+// Zero where the mask is not set.
+static Wide3 masked(const WideInt mask, const Wide3 a) {
+    const Wide3 masked = {mask ? a.x : (Wide)(0.0f), mask ? a.y : (Wide)(0.0f),
+                          mask ? a.z : (Wide)(0.0f)};
+    return masked;
+}
+
 static Wide wide_dot(const Wide3 a, const Wide3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -175,14 +247,21 @@ static Wide3 wide_normalized(const Wide3 a) {
 // #endregion wide3
 
 // #region wide_rays
-// A lane without a ray has a limit below 0, and hits nothing.
+// A packet of rays. A lane without a ray has a limit below 0, and hits nothing.
 typedef struct WideRays {
     Wide3 origin, direction;
     Wide limit;  // in lengths of the direction: what is hit beyond does not count
 } WideRays;
 
+static WideRays no_rays(void) {
+    WideRays rays;
+    rays.origin = wide3((float3)(0.0f));
+    rays.direction = wide3((float3)(1.0f));
+    rays.limit = -1.0f;
+    return rays;
+}
+
 typedef struct WideHits {
-    Wide distance;  // the ray's limit where nothing was hit
     WideInt shape;  // Shape
     WideInt index;
     Wide barycentric_b, barycentric_c;

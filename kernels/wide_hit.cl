@@ -54,34 +54,39 @@ static WideInt wide_line_plane(const WideRays *lines, const float3 normal, const
 // #endregion wide_plane
 
 // #region closest_hits
-static void keep_closer(WideHits *closest, const Wide distance, const Shape shape,
+static void keep_closer(WideRays *rays, WideHits *closest, const Wide distance, const Shape shape,
                         const int index) {
-    const WideInt closer = distance < closest->distance;
-    closest->distance = closer ? distance : closest->distance;
+    const WideInt closer = distance < rays->limit;
+    rays->limit = closer ? distance : rays->limit;
     closest->shape = closer ? (WideInt)(shape) : closest->shape;
     closest->index = closer ? (WideInt)(index) : closest->index;
 }
 
-// As closest_hit.
-static WideHits closest_hits(const Scene *scene, const WideRays *rays) {
-    WideHits closest = {rays->limit, SHAPE_NONE, 0, 0.0f, 0.0f};
+// As closest_hit, of all packets. A ray's limit becomes the distance of what it hits.
+static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) {
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        const WideHits none = {SHAPE_NONE, 0, 0.0f, 0.0f};
+        closest[packet] = none;
 #if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
-        const Sphere sphere = scene->spheres[i];
-        keep_closer(&closest, wide_ray_sphere(rays, sphere.center.xyz, sphere.radius), SHAPE_SPHERE,
-                    i);
-    }
+        for (int i = 0; i < SPHERE_COUNT; ++i) {
+            const Sphere sphere = scene->spheres[i];
+            keep_closer(&rays[packet], &closest[packet],
+                        wide_ray_sphere(&rays[packet], sphere.center.xyz, sphere.radius),
+                        SHAPE_SPHERE, i);
+        }
 #endif
 #if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
-        const Plane plane = scene->planes[i];
-        keep_closer(&closest, wide_ray_plane(rays, plane.normal.xyz, plane.offset), SHAPE_PLANE, i);
+        for (int i = 0; i < PLANE_COUNT; ++i) {
+            const Plane plane = scene->planes[i];
+            keep_closer(&rays[packet], &closest[packet],
+                        wide_ray_plane(&rays[packet], plane.normal.xyz, plane.offset), SHAPE_PLANE,
+                        i);
+        }
+#endif
     }
-#endif
 #if BVH_WIDTH > 0
-    closest_triangle(scene, rays, &closest);
+    closest_triangle(scene, rays, closest);
 #endif
-    return closest;
 }
 // #endregion closest_hits
 
@@ -90,23 +95,29 @@ static void block(WideRays *rays, const WideInt blocked) {
     rays->limit = blocked ? (Wide)(-1.0f) : rays->limit;
 }
 
-// As any_hit_ray, or any_hit_line where the rays `are_lines`: those with something in their way lose
-// their limit.
+// As any_hit_ray, or any_hit_line where the rays `are_lines`, of all packets: those with something in
+// their way lose their limit.
 static void block_hits(const Scene *scene, WideRays *rays, const bool are_lines) {
+    for (int packet = 0; packet < PACKETS; ++packet) {
 #if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
-        const Sphere sphere = scene->spheres[i];
-        block(rays, are_lines ? wide_line_sphere(rays, sphere.center.xyz, sphere.radius)
-                              : wide_ray_sphere(rays, sphere.center.xyz, sphere.radius) < INFINITY);
-    }
+        for (int i = 0; i < SPHERE_COUNT; ++i) {
+            const float3 center = scene->spheres[i].center.xyz;
+            const float radius = scene->spheres[i].radius;
+            block(&rays[packet],
+                  are_lines ? wide_line_sphere(&rays[packet], center, radius)
+                            : wide_ray_sphere(&rays[packet], center, radius) < INFINITY);
+        }
 #endif
 #if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
-        const Plane plane = scene->planes[i];
-        block(rays, are_lines ? wide_line_plane(rays, plane.normal.xyz, plane.offset)
-                              : wide_ray_plane(rays, plane.normal.xyz, plane.offset) < INFINITY);
-    }
+        for (int i = 0; i < PLANE_COUNT; ++i) {
+            const float3 normal = scene->planes[i].normal.xyz;
+            const float offset = scene->planes[i].offset;
+            block(&rays[packet], are_lines
+                                     ? wide_line_plane(&rays[packet], normal, offset)
+                                     : wide_ray_plane(&rays[packet], normal, offset) < INFINITY);
+        }
 #endif
+    }
 #if BVH_WIDTH > 0
     block_triangles(scene, rays);
 #endif

@@ -51,10 +51,10 @@ static Wide3 wide_origin_off(const WideSurfaces *surfaces, const Wide3 direction
                                                     surfaces->geometric_normal));
 }
 
-// The surfaces in the mask that the light reaches. A line to a point light is a ray that ends after one
-// length of its direction.
-static WideInt reached_by(const Light light, const Scene *scene, const WideSurfaces *surfaces,
-                          const Wide3 direction, const WideInt mask) {
+// From the surfaces in the mask. A line to a point light is a ray that ends after one length of its
+// direction.
+static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,
+                               const Wide3 direction, const WideInt mask) {
     WideRays rays;
     rays.origin = wide_origin_off(surfaces, direction);
     rays.direction = direction;
@@ -65,28 +65,42 @@ static WideInt reached_by(const Light light, const Scene *scene, const WideSurfa
         rays.limit = mask ? (Wide)(1.0f) : (Wide)(-1.0f);
     }
 #endif
-    block_hits(scene, &rays, is_point(light));
-    return rays.limit > 0.0f;
+    return rays;
 }
 
-// As direct_light, of the surfaces in the mask. Adds to each lane's number of shadow rays.
-static Wide3 wide_direct_light(const Scene *scene, const WideSurfaces *surfaces, const WideInt mask,
-                               WideInt *shadow_rays) {
-    Wide3 sum = wide3((float3)(0.0f));
+// As direct_light, of the surfaces of all packets where they are `lit`: adds the light to the colours,
+// by its weight, and its rays to each lane's number of them.
+static void add_direct_light(const Scene *scene, const WideSurfaces *surfaces, const WideInt *lit,
+                             const Wide3 *weights, Wide3 *colors, WideInt *shadow_rays) {
     for (int i = 0; i < LIGHT_COUNT; ++i) {
         const Light light = scene->lights[i];
-        const WideIllumination illumination = wide_light_at(light, surfaces->position);
-        const Wide cosine = wide_dot(surfaces->normal, illumination.direction);
-        const WideInt faces = mask & (cosine > 0.0f);
-        if (any_lane(faces)) {
+        WideRays rays[PACKETS];
+        Wide shares[PACKETS];
+        WideInt any = 0;
+        for (int packet = 0; packet < PACKETS; ++packet) {
+            if (!any_lane(lit[packet])) {
+                rays[packet] = no_rays();
+                continue;
+            }
+            const WideSurfaces *surface = &surfaces[packet];
+            const WideIllumination illumination = wide_light_at(light, surface->position);
+            const Wide cosine = wide_dot(surface->normal, illumination.direction);
+            const WideInt faces = lit[packet] & (cosine > 0.0f);
+            shares[packet] = cosine * illumination.share;
+            rays[packet] = shadow_rays_to(light, surface, illumination.direction, faces);
             *shadow_rays += faces ? (WideInt)(1) : (WideInt)(0);
-            const WideInt reached =
-                reached_by(light, scene, surfaces, illumination.direction, faces);
-            const Wide share = reached ? cosine * illumination.share : (Wide)(0.0f);
-            sum = wide_sum(sum, wide_scaled(share, wide3(light.color.xyz)));
+            any |= faces;
+        }
+        if (any_lane(any)) {
+            block_hits(scene, rays, is_point(light));
+            for (int packet = 0; packet < PACKETS; ++packet) {
+                const Wide3 reflected = wide_product(
+                    weights[packet], wide_scaled(shares[packet], wide3(light.color.xyz)));
+                colors[packet] = wide_sum(colors[packet],
+                                          masked(rays[packet].limit > 0.0f, reflected));
+            }
         }
     }
-    return sum;
 }
 // #endregion wide_direct_light
 #endif

@@ -14,8 +14,8 @@ typedef struct WideSurfaces {
 
 typedef struct SurfaceLanes {
     Lanes3 position, normal, geometric_normal;
-    int from_behind[WIDTH];
-    float offset[WIDTH];
+    LanesInt from_behind;
+    Lanes offset;
     int material[WIDTH];
 #if HAS_TEXTURES
     float2 texture_coordinates[WIDTH];
@@ -43,16 +43,15 @@ static Wide3 turned(const WideInt mask, const Wide3 a) {
     return turned;
 }
 
-static Wide wide_origin_offset(const WideRays *rays, const Wide distance) {
+static Wide wide_origin_offset(const WideRays *rays) {
     const Wide x = fabs(rays->origin.x);
     const Wide y = fabs(rays->origin.y);
     const Wide z = fabs(rays->origin.z);
-    return ORIGIN_OFFSET * (larger(x, larger(y, z)) + distance);
+    return ORIGIN_OFFSET * (larger(x, larger(y, z)) + rays->limit);
 }
 
 // As finish_triangle, and the end of surface_at.
-static WideSurfaces finish_surfaces(const WideRays *rays, const Wide distance,
-                                    const SurfaceLanes *lanes) {
+static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *lanes) {
     WideSurfaces surfaces;
     surfaces.position = load_lanes(&lanes->position);
     surfaces.normal = wide_normalized(load_lanes(&lanes->normal));
@@ -62,7 +61,7 @@ static WideSurfaces finish_surfaces(const WideRays *rays, const Wide distance,
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
     surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
     surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
-    surfaces.offset = wide_origin_offset(rays, distance);
+    surfaces.offset = wide_origin_offset(rays);
     return surfaces;
 }
 
@@ -70,8 +69,8 @@ static void store_surfaces(SurfaceLanes *lanes, const WideSurfaces *surfaces) {
     store_lanes(&lanes->position, surfaces->position);
     store_lanes(&lanes->normal, surfaces->normal);
     store_lanes(&lanes->geometric_normal, surfaces->geometric_normal);
-    STORE_WIDE(surfaces->from_behind, lanes->from_behind);
-    STORE_WIDE(surfaces->offset, lanes->offset);
+    lanes->from_behind.wide = surfaces->from_behind;
+    lanes->offset.wide = surfaces->offset;
 }
 
 static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
@@ -79,9 +78,9 @@ static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
     surface.position = get_lane(&lanes->position, lane);
     surface.normal = get_lane(&lanes->normal, lane);
     surface.geometric_normal = get_lane(&lanes->geometric_normal, lane);
-    surface.from_behind = lanes->from_behind[lane] != 0;
+    surface.from_behind = lanes->from_behind.lane[lane] != 0;
     surface.material = lanes->material[lane];
-    surface.offset = lanes->offset[lane];
+    surface.offset = lanes->offset.lane[lane];
 #if HAS_TEXTURES
     surface.texture_coordinates = lanes->texture_coordinates[lane];
 #endif

@@ -6,137 +6,210 @@
 
 // #region wide_hits
 typedef struct HitLanes {
-    float distance[WIDTH];
-    int shape[WIDTH], index[WIDTH];
+    Lanes distance;
+    LanesInt shape, index;
 #if TRIANGLE_COUNT > 0
-    float barycentric_b[WIDTH], barycentric_c[WIDTH];
+    Lanes barycentric_b, barycentric_c;
 #endif
 } HitLanes;
 
-static void store_hits(HitLanes *lanes, const WideHits *hits) {
-    STORE_WIDE(hits->distance, lanes->distance);
-    STORE_WIDE(hits->shape, lanes->shape);
-    STORE_WIDE(hits->index, lanes->index);
+static void store_hits(HitLanes *lanes, const Wide distance, const WideHits *hits) {
+    lanes->distance.wide = distance;
+    lanes->shape.wide = hits->shape;
+    lanes->index.wide = hits->index;
 #if TRIANGLE_COUNT > 0
-    STORE_WIDE(hits->barycentric_b, lanes->barycentric_b);
-    STORE_WIDE(hits->barycentric_c, lanes->barycentric_c);
+    lanes->barycentric_b.wide = hits->barycentric_b;
+    lanes->barycentric_c.wide = hits->barycentric_c;
 #endif
 }
 
 static Hit get_hit(const HitLanes *lanes, const int lane) {
     Hit hit;
-    hit.distance = lanes->distance[lane];
-    hit.shape = lanes->shape[lane];
-    hit.index = lanes->index[lane];
+    hit.distance = lanes->distance.lane[lane];
+    hit.shape = lanes->shape.lane[lane];
+    hit.index = lanes->index.lane[lane];
 #if TRIANGLE_COUNT > 0
-    hit.barycentric = (float2)(lanes->barycentric_b[lane], lanes->barycentric_c[lane]);
+    hit.barycentric = (float2)(lanes->barycentric_b.lane[lane], lanes->barycentric_c.lane[lane]);
 #endif
     return hit;
 }
 // #endregion wide_hits
 
+// #region incoming
+// The ray that each lane follows, as PendingRay.
+typedef struct IncomingLanes {
+    Lanes3 origin, direction, weight;
+    LanesInt depth;
+#if HAS_DIELECTRIC
+    Lanes3 absorption;
+#endif
+} IncomingLanes;
+
+// As primary_ray.
+static void store_primary(IncomingLanes *lanes, const WideRays *rays) {
+    store_lanes(&lanes->origin, rays->origin);
+    store_lanes(&lanes->direction, rays->direction);
+    store_lanes(&lanes->weight, wide3((float3)(1.0f)));
+    lanes->depth.wide = 0;
+#if HAS_DIELECTRIC
+    store_lanes(&lanes->absorption, wide3((float3)(0.0f)));
+#endif
+}
+
+static PendingRay get_incoming(const IncomingLanes *lanes, const int lane) {
+    PendingRay pending;
+    pending.ray.origin = get_lane(&lanes->origin, lane);
+    pending.ray.direction = get_lane(&lanes->direction, lane);
+    pending.weight = get_lane(&lanes->weight, lane);
+    pending.depth = lanes->depth.lane[lane];
+#if HAS_DIELECTRIC
+    pending.absorption = get_lane(&lanes->absorption, lane);
+#endif
+    return pending;
+}
+
+#if HAS_REFLECTION || HAS_DIELECTRIC
+static void put_incoming(IncomingLanes *lanes, const int lane, const PendingRay *pending) {
+    put_lane(&lanes->origin, lane, pending->ray.origin);
+    put_lane(&lanes->direction, lane, pending->ray.direction);
+    put_lane(&lanes->weight, lane, pending->weight);
+    lanes->depth.lane[lane] = pending->depth;
+#if HAS_DIELECTRIC
+    put_lane(&lanes->absorption, lane, pending->absorption);
+#endif
+}
+#endif
+// #endregion incoming
+
 // #region wide_shade
-// One ray of each lane: the light that its hit sends on at once. The rays for the rest go onto the
-// lane's stack.
-static Wide3 trace_rays(const Scene *scene, const WideRays *rays, const PendingRay *incoming,
-                        RayStack *stacks, RayCounts *counts,
-                        WideInt *shadow_rays TEXTURE_PARAMETER) {
-    const WideHits hits = closest_hits(scene, rays);
+// Where nothing bounces, no lane needs a stack and counts of its own.
+#if HAS_REFLECTION || HAS_DIELECTRIC
+#define BOUNCE_LANES WIDTH
+#else
+#define BOUNCE_LANES 1
+#endif
+
+// What is there where a packet's rays have hit, and of each whether light that comes straight from the
+// lights counts there, and with what weight in the pixel. The rays for what else it sends on go onto
+// the lane's stack.
+static void shade_packet(const Scene *scene, const WideRays *rays, const WideHits *hits,
+                         const IncomingLanes *incoming, RayStack *stacks, RayCounts *counts,
+                         WideSurfaces *surfaces, WideInt *lit, Wide3 *weights TEXTURE_PARAMETER) {
     HitLanes hit_lanes;
-    store_hits(&hit_lanes, &hits);
+    store_hits(&hit_lanes, rays->limit, hits);
     SurfaceLanes surface_lanes;
     for (int lane = 0; lane < WIDTH; ++lane) {
         const Hit hit = get_hit(&hit_lanes, lane);
         if (hit.shape != SHAPE_NONE) {
-            const Surface fetched = fetch_surface(scene, incoming[lane].ray, hit);
+            const PendingRay pending = get_incoming(incoming, lane);
+            const Surface fetched = fetch_surface(scene, pending.ray, hit);
             put_surface(&surface_lanes, lane, &fetched);
         }
     }
-    const WideSurfaces surfaces = finish_surfaces(rays, hits.distance, &surface_lanes);
-    store_surfaces(&surface_lanes, &surfaces);
-    Lanes3 weights;
-    int lit[WIDTH];
+    *surfaces = finish_surfaces(rays, &surface_lanes);
+    store_surfaces(&surface_lanes, surfaces);
+    LanesInt lit_lanes;
+    Lanes3 weight_lanes;
     for (int lane = 0; lane < WIDTH; ++lane) {
         const Hit hit = get_hit(&hit_lanes, lane);
-        float3 weight = incoming[lane].weight * scene->background.xyz;
-        lit[lane] = 0;
+        float3 weight = 0.0f;
+        lit_lanes.lane[lane] = 0;
         if (hit.shape != SHAPE_NONE) {
+            const PendingRay pending = get_incoming(incoming, lane);
             const Surface surface = get_surface(&surface_lanes, lane);
-            lit[lane] = shade(scene, &incoming[lane], hit, &surface, &weight, &stacks[lane],
-                              &counts[lane] TEXTURE_ARGUMENT);
+            lit_lanes.lane[lane] =
+                shade(scene, &pending, hit, &surface, &weight, &stacks[lane % BOUNCE_LANES],
+                      &counts[lane % BOUNCE_LANES] TEXTURE_ARGUMENT);
         }
-        put_lane(&weights, lane, weight);
+        put_lane(&weight_lanes, lane, weight);
     }
-    const WideInt missed = hits.distance == INFINITY;
-    Wide3 light = wide3((float3)(0.0f));
+    *lit = lit_lanes.wide != 0;
+    *weights = load_lanes(&weight_lanes);
+}
+
+// One ray of each lane: adds the light that its hit sends on at once.
+static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *incoming,
+                       RayStack stacks[][BOUNCE_LANES], RayCounts counts[][BOUNCE_LANES],
+                       Wide3 *colors, WideInt *shadow_rays TEXTURE_PARAMETER) {
+    WideHits hits[PACKETS];
+    closest_hits(scene, rays, hits);
+    WideSurfaces surfaces[PACKETS];
+    WideInt lit[PACKETS];
+    Wide3 weights[PACKETS];
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        const Wide3 background = wide_product(load_lanes(&incoming[packet].weight),
+                                              wide3(scene->background.xyz));
+        colors[packet] =
+            wide_sum(colors[packet], masked(rays[packet].limit == INFINITY, background));
+        lit[packet] = 0;
+        if (any_lane(hits[packet].shape != SHAPE_NONE)) {
+            shade_packet(scene, &rays[packet], &hits[packet], &incoming[packet], stacks[packet],
+                         counts[packet], &surfaces[packet], &lit[packet],
+                         &weights[packet] TEXTURE_ARGUMENT);
+        }
+    }
 #if LIGHT_COUNT > 0
-    light = wide_direct_light(scene, &surfaces, LOAD_WIDE(lit) != 0, shadow_rays);
+    add_direct_light(scene, surfaces, lit, weights, colors, shadow_rays);
 #endif
-    light.x = missed ? (Wide)(1.0f) : light.x;
-    light.y = missed ? (Wide)(1.0f) : light.y;
-    light.z = missed ? (Wide)(1.0f) : light.z;
-    return wide_product(load_lanes(&weights), light);
 }
 // #endregion wide_shade
 
 // #region wide_trace
 #if HAS_REFLECTION || HAS_DIELECTRIC
 // The next ray of each lane's stack. False when none has one.
-static bool pop_rays(RayStack *stacks, PendingRay *incoming, WideRays *rays) {
-    Lanes3 origins, directions;
-    float limits[WIDTH];
+static bool pop_rays(RayStack *stacks, IncomingLanes *incoming, WideRays *rays) {
+    Lanes limits;
     bool any = false;
     for (int lane = 0; lane < WIDTH; ++lane) {
-        limits[lane] = -1.0f;
-        put_lane(&origins, lane, (float3)(0.0f));
-        put_lane(&directions, lane, (float3)(1.0f));
+        limits.lane[lane] = -1.0f;
         if (stacks[lane].count > 0) {
-            copy_pending(&incoming[lane], &stacks[lane].rays[--stacks[lane].count]);
-            limits[lane] = INFINITY;
-            put_lane(&origins, lane, incoming[lane].ray.origin);
-            put_lane(&directions, lane, incoming[lane].ray.direction);
+            put_incoming(incoming, lane, &stacks[lane].rays[--stacks[lane].count]);
+            limits.lane[lane] = INFINITY;
             any = true;
         }
     }
-    rays->origin = load_lanes(&origins);
-    rays->direction = load_lanes(&directions);
-    rays->limit = LOAD_WIDE(limits);
+    rays->origin = load_lanes(&incoming->origin);
+    rays->direction = load_lanes(&incoming->direction);
+    rays->limit = limits.wide;
     return any;
 }
 #endif
 
-// As trace, of a tile's primary rays; `sum` comes empty.
-static Wide3 trace_tile(const Scene *scene, WideRays rays, RayCounts *sum TEXTURE_PARAMETER) {
-    PendingRay incoming[WIDTH];
-    RayStack stacks[WIDTH];
-    RayCounts counts[WIDTH];
+// As trace, of all packets' primary rays; `sum` comes empty.
+static void trace_packets(const Scene *scene, WideRays *rays, Wide3 *colors,
+                          RayCounts *sum TEXTURE_PARAMETER) {
+    IncomingLanes incoming[PACKETS];
+    RayStack stacks[PACKETS][BOUNCE_LANES];
+    RayCounts counts[PACKETS][BOUNCE_LANES];
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        store_primary(&incoming[packet], &rays[packet]);
+        for (int lane = 0; lane < BOUNCE_LANES; ++lane) {
+            stacks[packet][lane].count = 0;
+            counts[packet][lane] = *sum;
+        }
+        colors[packet] = wide3((float3)(0.0f));
+    }
     WideInt shadow_rays = 0;
-    Lanes3 origins, directions;
-    store_lanes(&origins, rays.origin);
-    store_lanes(&directions, rays.direction);
-    for (int lane = 0; lane < WIDTH; ++lane) {
-        const Ray ray = {get_lane(&origins, lane), get_lane(&directions, lane)};
-        const PendingRay primary = primary_ray(ray);
-        copy_pending(&incoming[lane], &primary);
-        stacks[lane].count = 0;
-        counts[lane] = *sum;
-    }
-    Wide3 color =
-        trace_rays(scene, &rays, incoming, stacks, counts, &shadow_rays TEXTURE_ARGUMENT);
+    bool any = true;
+    while (any) {
+        trace_rays(scene, rays, incoming, stacks, counts, colors, &shadow_rays TEXTURE_ARGUMENT);
+        any = false;
 #if HAS_REFLECTION || HAS_DIELECTRIC
-    while (pop_rays(stacks, incoming, &rays)) {
-        color = wide_sum(color, trace_rays(scene, &rays, incoming, stacks, counts,
-                                           &shadow_rays TEXTURE_ARGUMENT));
-    }
+        for (int packet = 0; packet < PACKETS; ++packet) {
+            any |= pop_rays(stacks[packet], &incoming[packet], &rays[packet]);
+        }
 #endif
-    sum->shadow = sum_of_lanes(shadow_rays);
-    for (int lane = 0; lane < WIDTH; ++lane) {
-        sum->reflection += counts[lane].reflection;
-        sum->refraction += counts[lane].refraction;
-        sum->dropped += counts[lane].dropped;
-        sum->faded += counts[lane].faded;
-        sum->faded_weight = max(sum->faded_weight, counts[lane].faded_weight);
     }
-    return color;
+    sum->shadow = sum_of_lanes(shadow_rays);
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        for (int lane = 0; lane < BOUNCE_LANES; ++lane) {
+            const RayCounts of_lane = counts[packet][lane];
+            sum->reflection += of_lane.reflection;
+            sum->refraction += of_lane.refraction;
+            sum->dropped += of_lane.dropped;
+            sum->faded += of_lane.faded;
+            sum->faded_weight = max(sum->faded_weight, of_lane.faded_weight);
+        }
+    }
 }
 // #endregion wide_trace

@@ -18,12 +18,9 @@ namespace {
 
 const std::string language = "-cl-std=CL1.2";
 
-constexpr std::size_t group_width = 8;
-constexpr std::size_t group_height = 8;
-
-// To cover `pixels` by tiles, in whole groups.
-std::size_t work_items(int pixels, int tile, std::size_t group) {
-    const auto items = static_cast<std::size_t>((pixels + tile - 1) / tile);
+// To cover `pixels` by blocks, in whole groups.
+std::size_t work_items(int pixels, int block, std::size_t group) {
+    const auto items = static_cast<std::size_t>((pixels + block - 1) / block);
     return (items + group - 1) / group * group;
 }
 
@@ -241,10 +238,13 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
     } else {
         const int tile_width = TILE_WIDTH_OF(width_);
         const int tile_height = width_ / tile_width;
+        const int tiles = PACKETS_IN_ROW_OF(width_);  // and as many below each other
+        const std::size_t group =
+            width_ == 1 ? 8 : 2;  // few blocks, so that no core runs out early
         queue.enqueueNDRangeKernel(kernel_, cl::NullRange,
-                                   cl::NDRange(work_items(width, tile_width, group_width),
-                                               work_items(height, tile_height, group_height)),
-                                   cl::NDRange(group_width, group_height));
+                                   cl::NDRange(work_items(width, tiles * tile_width, group),
+                                               work_items(height, tiles * tile_height, group)),
+                                   cl::NDRange(group, group));
     }
 }
 

@@ -3,60 +3,84 @@
 #include "bvh.cl"
 
 
-// The ray in one lane; where there is room, one beside it that is not a number. All others have none.
-static WideRays in_lane(const int lane, const float4 origin, const float4 direction,
-                        const float limit) {
+// The ray in one lane of one packet; where there is room, one beside it that is not a number. All
+// others have none.
+static void in_lane(WideRays *rays, const int packet, const int lane, const float4 origin,
+                    const float4 direction, const float limit) {
     Lanes3 origins, directions;
-    float limits[WIDTH];
-    for (int i = 0; i < WIDTH; ++i) {
-        put_lane(&origins, i, (float3)(7.0f));
-        put_lane(&directions, i, i == (lane + 1) % WIDTH ? (float3)(NAN) : (float3)(-1.0f, 2.0f, 3.0f));
-        limits[i] = i == (lane + 1) % WIDTH ? INFINITY : -1.0f;
+    Lanes limits;
+    for (int p = 0; p < PACKETS; ++p) {
+        for (int i = 0; i < WIDTH; ++i) {
+            const bool is_nan = WIDTH > 1 && i == (lane + 1) % WIDTH;
+            put_lane(&origins, i, (float3)(7.0f));
+            put_lane(&directions, i, is_nan ? (float3)(NAN) : (float3)(-1.0f, 2.0f, 3.0f));
+            limits.lane[i] = is_nan ? INFINITY : -1.0f;
+        }
+        if (p == packet) {
+            put_lane(&origins, lane, origin.xyz);
+            put_lane(&directions, lane, direction.xyz);
+            limits.lane[lane] = limit;
+        }
+        rays[p].origin = load_lanes(&origins);
+        rays[p].direction = load_lanes(&directions);
+        rays[p].limit = limits.wide;
     }
-    put_lane(&origins, lane, origin.xyz);
-    put_lane(&directions, lane, direction.xyz);
-    limits[lane] = limit;
-    const WideRays rays = {load_lanes(&origins), load_lanes(&directions), LOAD_WIDE(limits)};
-    return rays;
 }
 
 // Of the first child: in x whether the ray enters it, in y where its beam does, INFINITY for not; in z
-// the bits of the children that the beam enters.
+// the bits of the children that the beam enters; in w the bits of the packets that enter the first.
 __kernel void enter(__global float4 *results, __global const float4 *origins,
                     __global const float4 *directions, __global const BvhNode *nodes,
                     __global const float *limits) {
     const size_t i = get_global_id(0);
     const int lane = i % WIDTH;
-    const WideRays rays = in_lane(lane, origins[i], directions[i], limits[i]);
-    const SlabRays slabs = slab_rays(&rays);
-    const Beam beam = beam_of(&rays, &slabs);
-    int enters[WIDTH];
-    STORE_WIDE(enter_box(&nodes[i], 0, &slabs, rays.limit), enters);
+    const int packet = i / WIDTH % PACKETS;
+    WideRays rays[PACKETS];
+    in_lane(rays, packet, lane, origins[i], directions[i], limits[i]);
+    const SlabRays slabs = slab_rays(&rays[packet]);
+    Beam beam;
+    beam_of(&beam, rays);
+    LanesInt enters;
+    enters.wide = enter_box(&nodes[i], 0, &slabs, rays[packet].limit);
     Boxes at;
     float each[BVH_WIDTH];
     const int found = enter_boxes(&nodes[i], &beam, limits[i], &at);
     STORE_BOXES(at, each);
-    results[i] = (float4)(enters[lane] != 0, (found & 1) ? each[0] : INFINITY, found, 0.0f);
+    results[i] = (float4)(enters.lane[lane] != 0, (found & 1) ? each[0] : INFINITY, found,
+                          packets_in(&nodes[i], 0, &beam, limits[i]) >> packet & 1);
 }
 
-// Of a beam of WIDTH rays, from `first` on: in x the bits of the children that it enters, in y of those
-// that any ray enters.
-__kernel void enter_together(__global int2 *results, __global const float4 *origins,
+// Of a beam of all rays of a work-item, from `first` on: in x the bits of the children that it enters,
+// in y of those that any ray enters, in z of those that any packet does.
+__kernel void enter_together(__global int4 *results, __global const float4 *origins,
                              __global const float4 *directions, __global const BvhNode *nodes) {
     const size_t i = get_global_id(0);
-    const size_t first = i / WIDTH * WIDTH;
-    Lanes3 from, along;
-    for (int lane = 0; lane < WIDTH; ++lane) {
-        put_lane(&from, lane, origins[first + lane].xyz);
-        put_lane(&along, lane, directions[first + lane].xyz);
+    const size_t first = i / (WIDTH * PACKETS) * (WIDTH * PACKETS);
+    WideRays rays[PACKETS];
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        Lanes3 from, along;
+        for (int lane = 0; lane < WIDTH; ++lane) {
+            put_lane(&from, lane, origins[first + packet * WIDTH + lane].xyz);
+            put_lane(&along, lane, directions[first + packet * WIDTH + lane].xyz);
+        }
+        rays[packet].origin = load_lanes(&from);
+        rays[packet].direction = load_lanes(&along);
+        rays[packet].limit = INFINITY;
     }
-    const WideRays rays = {load_lanes(&from), load_lanes(&along), INFINITY};
-    const SlabRays slabs = slab_rays(&rays);
-    const Beam beam = beam_of(&rays, &slabs);
+    Beam beam;
+    beam_of(&beam, rays);
     Boxes at;
-    int any = 0;
-    for (int child = 0; child < BVH_WIDTH; ++child) {
-        any |= any_lane(enter_box(&nodes[i], child, &slabs, rays.limit)) << child;
+    int rays_in = 0;      // a bit for each child
+    int bits = 0;         // where no packet is said to be in that has such a ray
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        const SlabRays slabs = slab_rays(&rays[packet]);
+        for (int child = 0; child < BVH_WIDTH; ++child) {
+            if (any_lane(enter_box(&nodes[i], child, &slabs, INFINITY))) {
+                rays_in |= 1 << child;
+                const int in = packets_in(&nodes[i], child, &beam, INFINITY);
+                bits |= (in >> packet & 1) ? 0 : 1 << child;
+            }
+        }
     }
-    results[i] = (int2)(enter_boxes(&nodes[i], &beam, INFINITY, &at), any);
+    results[i] = (int4)(enter_boxes(&nodes[i], &beam, INFINITY, &at), rays_in, bits, 0);
 }

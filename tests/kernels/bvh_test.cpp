@@ -104,6 +104,7 @@ TEST_P(KernelsStage09Slabs, AreEnteredWhereTheClosedFormSays) {
                 EXPECT_EQ(results[i].x, enters) << cases[i].what;
             }
             EXPECT_EQ(results[i].z, enters) << cases[i].what << ": and no other child's box";
+            EXPECT_EQ(results[i].w, enters || width == 1) << cases[i].what << ": the packet";
             if (enters) {
                 EXPECT_NEAR(results[i].y, cases[i].expected, 1e-6F * cases[i].expected + 1e-6F)
                     << cases[i].what;
@@ -112,8 +113,8 @@ TEST_P(KernelsStage09Slabs, AreEnteredWhereTheClosedFormSays) {
     }
 }
 
-// No box that any of its rays enters is left out by the beam, and where rays run side by side it
-// enters few that none of them does.
+// No box that any of its rays enters is left out by the beam, or by the ray's packet, and where
+// rays run side by side it enters few that none of them does.
 TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
     constexpr std::size_t count = 4096;
     std::mt19937 random(9);
@@ -124,7 +125,7 @@ TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
         std::vector<Node> nodes(count);
         vec3 origin, direction;
         for (std::size_t i = 0; i < count; ++i) {
-            if (i % 16 == 0) {
+            if (i % 64 == 0) {  // 4 packets of 16
                 origin = 3.0F * point();
                 direction = 0.5F * point() - origin;
             }
@@ -135,13 +136,14 @@ TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
                 put_box(nodes[i], child, low, low + 0.5F * (point() + vec3(1)));
             }
         }
-        const std::vector<glm::ivec2> results =
+        const std::vector<glm::ivec4> results =
             build("bvh.cl", with_tree(16, 4))
-                .run<glm::ivec2>("enter_together", origins, directions, nodes);
+                .run<glm::ivec4>("enter_together", origins, directions, nodes);
         int entered = 0;
         int more = 0;
-        for (const glm::ivec2 &result : results) {
+        for (const glm::ivec4 &result : results) {
             EXPECT_EQ(result.y & ~result.x, 0) << "left out at a spread of " << spread;
+            EXPECT_EQ(result.z, 0) << "a packet left out at a spread of " << spread;
             entered += std::popcount(unsigned(result.y));
             more += std::popcount(unsigned(result.x & ~result.y));
         }
