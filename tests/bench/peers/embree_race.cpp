@@ -8,7 +8,6 @@
 #include "bench/stages.h"
 #include "device/bvh.h"
 #include "device/renderer.h"
-#include "scene/scene_file.h"
 
 namespace stagelight::bench {
 namespace {
@@ -49,11 +48,9 @@ std::vector<Contestant> contestants_of(Renderer &renderer, const EmbreeTracer &h
 
 }  // namespace
 
-bool race_embree(const cl::Device &device, const std::string &model, Workers &workers,
-                 ordered_json &report) {
-    const Scene scene = load_scene(std::filesystem::path(STAGELIGHT_SOURCE_DIR)
-                                   / "tests/bench/peers" / (model + ".toml"));
-    say(fmt::format("{}: trees over {} triangles", model, scene.triangles.size()));
+bool race_embree(const cl::Device &device, const std::string &name, const Scene &scene,
+                 Workers &workers, ordered_json &report) {
+    say(fmt::format("{}: trees over {} triangles", name, scene.triangles.size()));
     const double our_build = median_time_of(builds, [&] { build_bvh(scene); });
     double high_build = 0;
     double medium_build = 0;
@@ -63,27 +60,27 @@ bool race_embree(const cl::Device &device, const std::string &model, Workers &wo
     const EmbreeTracer medium_tracer(scene, medium);
     Renderer renderer(device, full_tracer(), scene, settings_of(scene));
 
-    say(model + ": the reference, to hold all pictures to");
+    say(name + ": the reference, to hold all pictures to");
     std::vector<Contestant> contestants =
         contestants_of(renderer, high_tracer, medium_tracer, workers);
     if (!agree(contestants, reference_of(full_tracer(), scene, settings_of(scene)))) {
         return false;
     }
-    say(fmt::format("{}: {} rounds", model, rounds));
+    say(fmt::format("{}: {} rounds", name, rounds));
     time_in_turn(contestants, rounds);
 
-    fmt::print("\n{}: {} triangles, {}x{}, {} rays, {} threads, {}\n{}", model,
+    fmt::print("\n{}: {} triangles, {}x{}, {} rays, {} threads, {}\n{}", name,
                scene.triangles.size(), scene.width, scene.height, contestants.front().rays,
                workers.size(), high.description(), table_of(contestants));
     fmt::print("tree built in {:.1f} ms; Embree's: high quality {:.1f} ms, medium {:.1f} ms\n",
                our_build, high_build, medium_build);
-    report[model] = {{"triangles", scene.triangles.size()},
-                     {"size", {scene.width, scene.height}},
-                     {"threads", workers.size()},
-                     {"embree", high.description()},
-                     {"build_milliseconds",
-                      {{"ours", our_build}, {"high", high_build}, {"medium", medium_build}}},
-                     {"tracers", json_of(contestants)}};
+    report[name] = {{"triangles", scene.triangles.size()},
+                    {"size", {scene.width, scene.height}},
+                    {"threads", workers.size()},
+                    {"embree", high.description()},
+                    {"build_milliseconds",
+                     {{"ours", our_build}, {"high", high_build}, {"medium", medium_build}}},
+                    {"tracers", json_of(contestants)}};
     return true;
 }
 
