@@ -96,6 +96,7 @@ Scene ring_in_lights(int count) {
 Scene facing_mirrors(int depth) {
     Scene scene = empty_scene({0.6, 0.2, 0.9}, {0.25, 0.05, -1});
     scene.max_depth = depth;
+    scene.has_max_depth = true;
     Material mirror;
     mirror.type = MaterialType::mirror;
     mirror.color = {0.95, 0.95, 0.95};

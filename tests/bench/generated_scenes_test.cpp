@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/generated_scenes.h"
+#include "bench/stages.h"
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ TEST(GeneratedScenes, LightsAddUpToAsMuch) {
 
 TEST(GeneratedScenes, MirrorsFaceEachOther) {
     const Scene scene = facing_mirrors(12);
-    EXPECT_EQ(scene.max_depth, 12);
+    EXPECT_EQ(settings_of(full_tracer(), scene).max_depth, 12);
     ASSERT_EQ(scene.planes.size(), 2U);
     EXPECT_EQ(scene.planes[0].normal, -scene.planes[1].normal);
     for (const Plane &plane : scene.planes) {

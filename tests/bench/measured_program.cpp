@@ -27,9 +27,9 @@ ordered_json error_json(const Comparison &comparison) {
 
 MeasuredProgram::MeasuredProgram(const cl::Device &device, const std::string &stage,
                                  const Scene &scene)
-    : stage_(stage), renderer_(device, stage, scene, settings_of(scene)) {
+    : stage_(stage), renderer_(device, stage, scene, settings_of(stage, scene)) {
     const Frame first = renderer_.render();
-    const reference::Result truth = reference_of(stage, scene, settings_of(scene));
+    const reference::Result truth = reference_of(stage, scene, settings_of(stage, scene));
     rays_ = first.rays;
     comparison_ = compare(first.image, truth.image, truth.edge, Tolerance());
 }

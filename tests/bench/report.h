@@ -10,6 +10,7 @@
 
 #include "app/stats.h"
 #include "image/compare.h"
+#include "scene/progress.h"
 
 namespace stagelight::bench {
 
@@ -48,9 +49,11 @@ double median_time_of(int runs, const auto &work) {
 // down for a while slows all. By i.
 std::vector<std::vector<double>> in_turn(std::size_t count, int rounds, const auto &draw) {
     std::vector<std::vector<double>> times(count);
+    Progress progress("timing", count * static_cast<std::size_t>(rounds));
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < count; ++i) {
             times[i].push_back(draw(i));
+            progress.step();
         }
     }
     return times;

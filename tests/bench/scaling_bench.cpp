@@ -51,7 +51,7 @@ public:
     explicit Series(const cl::Device &device) : device_(device) {}
 
     Cost &add(const Scene &scene, double size) {
-        renderers_.emplace_back(device_, full_tracer(), scene, settings_of(scene));
+        renderers_.emplace_back(device_, full_tracer(), scene, settings_of(full_tracer(), scene));
         costs_.push_back({.size = size});
         return costs_.back();
     }

@@ -2,8 +2,10 @@
 #include "bench/stages.h"
 
 #include "device/kernel_source.h"
+#include "device/scene_needs.h"
 #include "golden/suite.h"
 #include "scene/lessons.h"
+#include "scene/progress.h"
 
 namespace stagelight::bench {
 
@@ -21,11 +23,11 @@ std::string full_tracer() {
     return stages().back();
 }
 
-RenderSettings settings_of(const Scene &scene, const Methods &methods) {
+RenderSettings settings_of(const std::string &stage, const Scene &scene, const Methods &methods) {
     RenderSettings settings;
     settings.width = scene.width;
     settings.height = scene.height;
-    settings.max_depth = scene.max_depth;
+    settings.max_depth = depth_of(scene, stage_number(stage));
     settings.methods = methods;
     return settings;
 }
@@ -36,6 +38,7 @@ reference::Result reference_of(const std::string &stage, const Scene &scene,
     same.width = settings.width;
     same.height = settings.height;
     same.max_depth = settings.max_depth;
+    const Progress progress("drawing the reference");
     return reference::render<double>(scene, same, golden::shown_by(stage));
 }
 

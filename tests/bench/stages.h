@@ -17,8 +17,9 @@ std::vector<std::string> stages();
 // The highest.
 std::string full_tracer();
 
-// At the size and depth that the scene says itself.
-RenderSettings settings_of(const Scene &scene, const Methods &methods = {});
+// As `stage` draws the scene where nobody says otherwise.
+RenderSettings settings_of(const std::string &stage, const Scene &scene,
+                           const Methods &methods = {});
 
 // The scene as `stage` is to draw it by the same settings, by the reference in double.
 reference::Result reference_of(const std::string &stage, const Scene &scene,

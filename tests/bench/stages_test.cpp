@@ -27,7 +27,7 @@ TEST(BenchStages, SettingsAreTheScenes) {
     scene.width = 33;
     scene.height = 21;
     scene.max_depth = 3;
-    const RenderSettings settings = settings_of(scene, {{"decode", "2.2"}});
+    const RenderSettings settings = settings_of("02_shading_shadows", scene, {{"decode", "2.2"}});
     EXPECT_EQ(settings.width, 33);
     EXPECT_EQ(settings.height, 21);
     EXPECT_EQ(settings.max_depth, 3);

@@ -112,6 +112,20 @@ void expect_method_matches(const GoldenScene &scene, const Methods &methods) {
     }
 }
 
+// However many rays run side by side. On PoCL: rusticl takes minutes to build what is wide.
+TEST(Width, Stage10EachMatchesGolden) {
+    for (const char *stage : {"09", "10"}) {
+        for (const GoldenScene &scene : scenes_of(stage)) {
+            const stagelight::Golden golden = read_golden(scene.golden);
+            for (const char *width : {"1", "4", "8", "16"}) {
+                SCOPED_TRACE(fmt::format("{} at width {}", scene.name, width));
+                expect_match(draw_device(scene, "pthread", {{"width", width}}), golden.image,
+                             golden.edge, tolerance_of(scene.name, "pthread"));
+            }
+        }
+    }
+}
+
 // The paper's single pass through a sphere, wherever there is glass.
 TEST(InteriorPaper, Stage04DeviceMatchesReference) {
     for (const GoldenScene &scene : scenes_of("04")) {

@@ -207,13 +207,11 @@ protected:
         }
     }
 };
-// On rusticl as it prefers: its compiler takes half a minute for the widest kernels, and loses
-// rays.
+// On rusticl as it prefers: its compiler takes minutes for the wide kernels.
 INSTANTIATE_TEST_SUITE_P(Walks, Stage09Picture,
                          testing::Values(Walking{"pthread", "16", "4"},
                                          Walking{"pthread", "8", "8"}, Walking{"pthread", "4", "2"},
                                          Walking{"pthread", "1", "4"},
-
                                          Walking{"llvmpipe", "1", "4"}),
                          [](const auto &walking) {
                              return fmt::format("{}_{}_{}", walking.param.device,

@@ -58,12 +58,13 @@ bool race_embree(const cl::Device &device, const std::string &name, const Scene 
     const EmbreeScene medium = build_embree(scene, RTC_BUILD_QUALITY_MEDIUM, medium_build);
     const EmbreeTracer high_tracer(scene, high);
     const EmbreeTracer medium_tracer(scene, medium);
-    Renderer renderer(device, full_tracer(), scene, settings_of(scene));
+    Renderer renderer(device, full_tracer(), scene, settings_of(full_tracer(), scene));
 
     say(name + ": the reference, to hold all pictures to");
     std::vector<Contestant> contestants =
         contestants_of(renderer, high_tracer, medium_tracer, workers);
-    if (!agree(contestants, reference_of(full_tracer(), scene, settings_of(scene)))) {
+    if (!agree(contestants,
+               reference_of(full_tracer(), scene, settings_of(full_tracer(), scene)))) {
         return false;
     }
     say(fmt::format("{}: {} rounds", name, rounds));

@@ -35,7 +35,7 @@ Methods methods_in_common(const std::string &stage) {
 }
 
 RenderSettings settings_for(const std::string &stage, const Scene &scene) {
-    RenderSettings settings = settings_of(scene, methods_in_common(stage));
+    RenderSettings settings = settings_of(stage, scene, methods_in_common(stage));
     settings.width = width;
     settings.height = height;
     return settings;
