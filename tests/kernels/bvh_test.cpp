@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -18,7 +19,11 @@ using glm::vec3;
 using glm::vec4;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-using KernelsStage09Slabs = OnDevice;
+class KernelsStage09Slabs : public OnDevice {
+protected:
+    // Rusticl's compiler takes half a minute for what is 16 wide.
+    static int widest() { return on_rusticl() ? 4 : 16; }
+};
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage09Slabs, each_device(), device_name);
 
 SceneNeeds with_tree(int width, int boxes) {
@@ -93,7 +98,7 @@ TEST_P(KernelsStage09Slabs, AreEnteredWhereTheClosedFormSays) {
             put_box(nodes.back(), child, behind - vec3(1e-3F), behind + vec3(1e-3F));
         }
     }
-    for (const int width : {1, 4, 16}) {
+    for (const int width : std::set{1, 4, widest()}) {
         SCOPED_TRACE(width);
         const std::vector<vec4> results =
             build("bvh.cl", with_tree(width, 4))
@@ -117,6 +122,8 @@ TEST_P(KernelsStage09Slabs, AreEnteredWhereTheClosedFormSays) {
 // rays run side by side it enters few that none of them does.
 TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
     constexpr std::size_t count = 4096;
+    const int width = widest();
+    const auto together = 4 * static_cast<std::size_t>(width);
     std::mt19937 random(9);
     std::uniform_real_distribution<float> within(-1, 1);
     const auto point = [&] { return vec3(within(random), within(random), within(random)); };
@@ -125,7 +132,7 @@ TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
         std::vector<Node> nodes(count);
         vec3 origin, direction;
         for (std::size_t i = 0; i < count; ++i) {
-            if (i % 64 == 0) {  // 4 packets of 16
+            if (i % together == 0) {
                 origin = 3.0F * point();
                 direction = 0.5F * point() - origin;
             }
@@ -137,7 +144,7 @@ TEST_P(KernelsStage09Slabs, ABeamEntersWhatAnyOfItsRaysEnters) {
             }
         }
         const std::vector<glm::ivec4> results =
-            build("bvh.cl", with_tree(16, 4))
+            build("bvh.cl", with_tree(width, 4))
                 .run<glm::ivec4>("enter_together", origins, directions, nodes);
         int entered = 0;
         int more = 0;
