@@ -109,7 +109,7 @@ typedef struct Facet {
 } Facet;
 
 // Of a coordinate: how far rounding may move what is measured from it, with room to spare. Boxes
-// are grown by it on the host, and for a ray's own origin on the device (kernels/bvh.cl, "slab").
+// are grown by it on the host, and for a ray's own origin on the device (kernels/beam.cl, "slab").
 #define SLAB_ROOM 2.3841858e-7f
 
 // Of the tile that a packet of `width` rays draws, how many pixels are in a row: as square as can

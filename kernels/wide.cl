@@ -2,7 +2,7 @@
 // Introduced by stage 09: numbers for WIDTH rays at a time, a lane for each. A GPU puts work-items
 // side by side by itself: there WIDTH is 1, and all of this is scalar. A CPU's vector unit is given
 // 4, 8 or 16 numbers at once by a work-item that traces several such packets of rays.
-#include "scene_types.h"
+#include "ray.cl"
 
 // #region wide
 #define JOIN_NAMES(a, b) a##b
@@ -266,4 +266,18 @@ typedef struct WideHits {
     WideInt index;
     Wide barycentric_b, barycentric_c;
 } WideHits;
+
+// What is closer than a ray's limit is kept, and becomes it. In which lanes it was.
+static WideInt keep_closer(WideRays *rays, WideHits *closest, const Wide distance,
+                           const Shape shape, const int index) {
+    const WideInt closer = distance < rays->limit;
+    rays->limit = closer ? distance : rays->limit;
+    closest->shape = closer ? (WideInt)(shape) : closest->shape;
+    closest->index = closer ? (WideInt)(index) : closest->index;
+    return closer;
+}
+
+static void block(WideRays *rays, const WideInt blocked) {
+    rays->limit = blocked ? (Wide)(-1.0f) : rays->limit;
+}
 // #endregion wide_rays

@@ -54,14 +54,6 @@ static WideInt wide_line_plane(const WideRays *lines, const float3 normal, const
 // #endregion wide_plane
 
 // #region closest_hits
-static void keep_closer(WideRays *rays, WideHits *closest, const Wide distance, const Shape shape,
-                        const int index) {
-    const WideInt closer = distance < rays->limit;
-    rays->limit = closer ? distance : rays->limit;
-    closest->shape = closer ? (WideInt)(shape) : closest->shape;
-    closest->index = closer ? (WideInt)(index) : closest->index;
-}
-
 // As closest_hit, of all packets. A ray's limit becomes the distance of what it hits.
 static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) {
     for (int packet = 0; packet < PACKETS; ++packet) {
@@ -91,10 +83,6 @@ static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) 
 // #endregion closest_hits
 
 // #region block_hits
-static void block(WideRays *rays, const WideInt blocked) {
-    rays->limit = blocked ? (Wide)(-1.0f) : rays->limit;
-}
-
 // As any_hit_ray, or any_hit_line where the rays `are_lines`, of all packets: those with something in
 // their way lose their limit.
 static void block_hits(const Scene *scene, WideRays *rays, const bool are_lines) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 09: Whitted's ray tracing of WIDTH pixels at a time. Their rays go through the
-// scene side by side; what the material of each does is the lesson of the stages before.
+// Introduced by stage 09: Whitted's ray tracing of all pixels of a work-item. Their rays go through the
+// scene together; what the material of each does is the lesson of the stages before.
 #include "shade.cl"
 #include "wide_light.cl"
 

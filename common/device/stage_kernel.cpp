@@ -134,11 +134,12 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)),
       samples_(settings.samples) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
+    const bool with_tree = stage_number(stage) >= acceleration_stage;
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
                    settings.samples > 1 ? 3 : 1,  // a sample and the sum of all, beside their mean
-                   stage_number(stage) >= acceleration_stage);
+                   with_tree);
     Bvh bvh;
-    if (stage_number(stage) >= acceleration_stage) {
+    if (with_tree) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
         const int children = std::stoi(choice(settings.methods, "nodes"));

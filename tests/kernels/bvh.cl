@@ -28,7 +28,8 @@ static void in_lane(WideRays *rays, const int packet, const int lane, const floa
 }
 
 // Of the first child: in x whether the ray enters it, in y where its beam does, INFINITY for not; in z
-// the bits of the children that the beam enters; in w the bits of the packets that enter the first.
+// the bits of the children that the beam enters; in w whether
+// the ray's packet enters the first.
 __kernel void enter(__global float4 *results, __global const float4 *origins,
                     __global const float4 *directions, __global const BvhNode *nodes,
                     __global const float *limits) {
@@ -51,7 +52,7 @@ __kernel void enter(__global float4 *results, __global const float4 *origins,
 }
 
 // Of a beam of all rays of a work-item, from `first` on: in x the bits of the children that it enters,
-// in y of those that any ray enters, in z of those that any packet does.
+// in y of those that any ray enters, in z of those that a ray enters and its packet is said not to.
 __kernel void enter_together(__global int4 *results, __global const float4 *origins,
                              __global const float4 *directions, __global const BvhNode *nodes) {
     const size_t i = get_global_id(0);
@@ -70,17 +71,18 @@ __kernel void enter_together(__global int4 *results, __global const float4 *orig
     Beam beam;
     beam_of(&beam, rays);
     Boxes at;
-    int rays_in = 0;      // a bit for each child
-    int bits = 0;         // where no packet is said to be in that has such a ray
+    int by_a_ray = 0;
+    int without_packet = 0;
     for (int packet = 0; packet < PACKETS; ++packet) {
         const SlabRays slabs = slab_rays(&rays[packet]);
         for (int child = 0; child < BVH_WIDTH; ++child) {
             if (any_lane(enter_box(&nodes[i], child, &slabs, INFINITY))) {
-                rays_in |= 1 << child;
+                by_a_ray |= 1 << child;
                 const int in = packets_in(&nodes[i], child, &beam, INFINITY);
-                bits |= (in >> packet & 1) ? 0 : 1 << child;
+                without_packet |= (in >> packet & 1) ? 0 : 1 << child;
             }
         }
     }
-    results[i] = (int4)(enter_boxes(&nodes[i], &beam, INFINITY, &at), rays_in, bits, 0);
+    results[i] = (int4)(enter_boxes(&nodes[i], &beam, INFINITY, &at), by_a_ray, without_packet,
+                        0);
 }
