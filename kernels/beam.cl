@@ -7,7 +7,11 @@
 // #region boxes
 // The boxes of a node's children, tried at once.
 typedef JOIN(float, BVH_WIDTH) Boxes;
+#if STORAGE_IS_HALF
+#define LOAD_BOXES(row) JOIN(vload_half, BVH_WIDTH)(0, (__global const half *)(row))
+#else
 #define LOAD_BOXES(row) JOIN(vload, BVH_WIDTH)(0, row)
+#endif
 #define STORE_BOXES(value, row) JOIN(vstore, BVH_WIDTH)(value, 0, row)
 
 // A bit for each that the mask is set for.
@@ -27,6 +31,28 @@ static int bits_of(const JOIN(int, BVH_WIDTH) mask) {
 #endif
 }
 // #endregion boxes
+
+// #region box_methods
+// The smaller and the larger of two numbers, of any width. By comparing, the second where one of them is
+// not a number; by the functions for it, the other one, which takes several instructions.
+#ifndef METHOD_BOX
+#define METHOD_BOX robust
+#endif
+#define LESSER JOIN(LESSER_, METHOD_BOX)
+#define GREATER JOIN(GREATER_, METHOD_BOX)
+#define LESSER_robust(a, b) ((a) < (b) ? (a) : (b))
+#define GREATER_robust(a, b) ((a) > (b) ? (a) : (b))
+#define LESSER_ordered LESSER_robust
+#define GREATER_ordered GREATER_robust
+#define LESSER_fminmax(a, b) fmin(a, b)
+#define GREATER_fminmax(a, b) fmax(a, b)
+
+// How much room is left for rounding: SLAB_ROOM, as the makers of the boxes leave it, or none.
+#define ROOM JOIN(ROOM_, METHOD_BOX)
+#define ROOM_robust SLAB_ROOM
+#define ROOM_ordered 0.0f
+#define ROOM_fminmax 0.0f
+// #endregion box_methods
 
 // #region slab
 // A box is where three slabs meet (Kay and Kajiya, Ray Tracing Complex Scenes, 1986). This is what a
@@ -55,7 +81,7 @@ static Wide not_too_small(const Wide direction) {
 
 static SlabAxis slab_axis(const Wide origin, const Wide direction) {
     const Wide inverse = 1.0f / not_too_small(direction);
-    const Wide room = fabs(origin) * SLAB_ROOM;
+    const Wide room = fabs(origin) * ROOM;
     const SlabAxis axis = {inverse, -(origin + room) * inverse, -(origin - room) * inverse};
     return axis;
 }
@@ -70,17 +96,17 @@ static SlabRays slab_rays(const WideRays *rays) {
 // Which rays are in the box of one child anywhere before `limit`.
 static WideInt enter_box(__global const BvhNode *node, const int child, const SlabRays *rays,
                          const Wide limit) {
-    const Wide low_x = fma((Wide)(node->planes[0][child]), rays->x.inverse, rays->x.low);
-    const Wide low_y = fma((Wide)(node->planes[1][child]), rays->y.inverse, rays->y.low);
-    const Wide low_z = fma((Wide)(node->planes[2][child]), rays->z.inverse, rays->z.low);
-    const Wide high_x = fma((Wide)(node->planes[3][child]), rays->x.inverse, rays->x.high);
-    const Wide high_y = fma((Wide)(node->planes[4][child]), rays->y.inverse, rays->y.high);
-    const Wide high_z = fma((Wide)(node->planes[5][child]), rays->z.inverse, rays->z.high);
-    const Wide enter = larger(larger(smaller(low_x, high_x), smaller(low_y, high_y)),
-                              larger(smaller(low_z, high_z), (Wide)(0.0f)));
-    const Wide leave = smaller(smaller(larger(low_x, high_x), larger(low_y, high_y)),
-                               smaller(larger(low_z, high_z), limit));
-    return enter < leave;
+    const Wide low_x = fma((Wide)(LOAD_NUMBER(node->planes[0], child)), rays->x.inverse, rays->x.low);
+    const Wide low_y = fma((Wide)(LOAD_NUMBER(node->planes[1], child)), rays->y.inverse, rays->y.low);
+    const Wide low_z = fma((Wide)(LOAD_NUMBER(node->planes[2], child)), rays->z.inverse, rays->z.low);
+    const Wide high_x = fma((Wide)(LOAD_NUMBER(node->planes[3], child)), rays->x.inverse, rays->x.high);
+    const Wide high_y = fma((Wide)(LOAD_NUMBER(node->planes[4], child)), rays->y.inverse, rays->y.high);
+    const Wide high_z = fma((Wide)(LOAD_NUMBER(node->planes[5], child)), rays->z.inverse, rays->z.high);
+    const Wide enter_xy = GREATER(LESSER(low_x, high_x), LESSER(low_y, high_y));
+    const Wide leave_xy = LESSER(GREATER(low_x, high_x), GREATER(low_y, high_y));
+    const Wide enter = GREATER(enter_xy, GREATER(LESSER(low_z, high_z), (Wide)(0.0f)));
+    const Wide leave = LESSER(leave_xy, LESSER(GREATER(low_z, high_z), limit));
+    return enter <= leave;
 }
 // #endregion slab
 
@@ -113,6 +139,7 @@ typedef struct Extent {
 typedef struct Beam {
     BeamAxis all[3];  // the same numbers for each packet
     int near_row[3], far_row[3];  // of BvhNode: the planes that are met first, and last
+    int axis;  // that all rays go along, none of them nearly across it; or ALL_AXES
 #if PACKETS > 1
     BeamAxis packets[3];  // each packet for itself
     Extent extents[3];    // of each
@@ -120,16 +147,12 @@ typedef struct Beam {
 #endif
 } Beam;
 
-static Wide along_axis(const Wide3 *a, const int axis) {
-    return axis == 0 ? a->x : axis == 1 ? a->y : a->z;
-}
-
 static Extent extent_of(const WideRays *rays, const int axis) {
     Wide low[PACKETS], minus_high[PACKETS], slowest[PACKETS], minus_fastest[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
         const Wide origin = along_axis(&rays[packet].origin, axis);
         const Wide direction = not_too_small(along_axis(&rays[packet].direction, axis));
-        const Wide room = fabs(origin) * SLAB_ROOM;
+        const Wide room = fabs(origin) * ROOM;
         const WideInt counts =
             (rays[packet].limit > 0.0f) & (fabs(origin) + fabs(direction) < INFINITY);
         low[packet] = counts ? origin - room : (Wide)(INFINITY);
@@ -170,16 +193,23 @@ static void bound_beam(Beam *beam, const int axis, const Extent all) {
     beam->all[axis] = beam_axis(all, all_backwards);
 }
 
+#define NEARLY_ACROSS 0.125f
+
 static void beam_of(Beam *beam, const WideRays *rays) {
     float speed = 0.0f;
     float spread = 0.0f;
+    float along = 0.0f;
+    beam->axis = 0;
 #pragma unroll
     for (int axis = 0; axis < 3; ++axis) {
         const Extent packets = extent_of(rays, axis);
         const float slowest = smallest_packet(packets.slowest);
         const float fastest = largest_packet(packets.fastest);
-        speed = max(speed, fabs(fastest));
+        speed = max(speed, max(fastest, -slowest));
         spread = max(spread, fastest - slowest);
+        const float common = max(slowest, -fastest);  // all are that fast, one way or the other
+        beam->axis = common > along ? axis : beam->axis;
+        along = max(along, common);
         const Extent all = {smallest_packet(packets.low), largest_packet(packets.high), slowest,
                             fastest};
         bound_beam(beam, axis, all);
@@ -188,6 +218,11 @@ static void beam_of(Beam *beam, const WideRays *rays) {
         beam->packets[axis] = beam_axis(packets, beam->near_row[axis] != axis);
 #endif
     }
+#if WIDTH > 1
+    if (!(along >= NEARLY_ACROSS * speed)) {
+        beam->axis = ALL_AXES;
+    }
+#endif
 #if PACKETS > 1
     beam->is_narrow = spread < 0.1f * speed;
 #endif
@@ -226,14 +261,14 @@ static int enter_boxes(__global const BvhNode *node, const Beam *beam, const flo
         const Boxes far_planes = LOAD_BOXES(node->planes[beam->far_row[i]]);
         const Boxes near = at_planes(near_planes, axis->enter);
         const Boxes far = at_planes(far_planes, axis->leave);
-        *enter = near > *enter ? near : *enter;
-        leave = far < leave ? far : leave;
+        *enter = GREATER(near, *enter);
+        leave = LESSER(far, leave);
 #if WIDTH > 1
         const Boxes back = at_planes(far_planes, axis->enter_back);
-        *enter = back > *enter ? back : *enter;
+        *enter = GREATER(back, *enter);
 #endif
     }
-    return bits_of(*enter < leave);
+    return bits_of(*enter <= leave);
 }
 
 // Which packets are in the box of a child anywhere before their limits, a bit for each.
@@ -247,16 +282,16 @@ static int packets_in(__global const BvhNode *node, const int child, const Beam 
 #pragma unroll
     for (int i = 0; i < 3; ++i) {
         const BeamAxis *axis = &beam->packets[i];
-        const PerPacket near_plane = node->planes[beam->near_row[i]][child];
-        const PerPacket far_plane = node->planes[beam->far_row[i]][child];
+        const PerPacket near_plane = LOAD_NUMBER(node->planes[beam->near_row[i]], child);
+        const PerPacket far_plane = LOAD_NUMBER(node->planes[beam->far_row[i]], child);
         const PerPacket near = fma(near_plane, axis->enter.inverse, axis->enter.offset);
         const PerPacket far = fma(far_plane, axis->leave.inverse, axis->leave.offset);
         const PerPacket back = fma(far_plane, axis->enter_back.inverse, axis->enter_back.offset);
-        enter = near > enter ? near : enter;
-        enter = back > enter ? back : enter;
-        leave = far < leave ? far : leave;
+        enter = GREATER(near, enter);
+        enter = GREATER(back, enter);
+        leave = LESSER(far, leave);
     }
-    return bits_of_four(enter < leave);
+    return bits_of_four(enter <= leave);
 #endif
 }
 // #endregion enter_boxes

@@ -2,30 +2,15 @@
 // Introduced by stage 09: a tree of boxes, so that rays try few of the triangles, and the walk of a
 // work-item's rays down it, together.
 #include "beam.cl"
+#include "wide_triangle.cl"
 
-// #region facets
-// Möller and Trumbore's test (triangle.cl), with the edges worked out beforehand. INFINITY for a miss;
-// every comparison is false for a NaN, which a determinant of 0 makes.
-static Wide intersect_facet(const WideRays *rays, __global const Facet *facet, Wide *b, Wide *c) {
-    const Wide3 edge_b = wide3(vload3(0, facet->edge_b));
-    const Wide3 edge_c = wide3(vload3(0, facet->edge_c));
-    const Wide3 p = wide_cross(rays->direction, edge_c);
-    const Wide inverse = 1.0f / wide_dot(edge_b, p);
-    const Wide3 to_origin = wide_difference(rays->origin, wide3(vload3(0, facet->corner)));
-    const Wide3 q = wide_cross(to_origin, edge_b);
-    *b = wide_dot(to_origin, p) * inverse;
-    *c = wide_dot(rays->direction, q) * inverse;
-    const Wide t = wide_dot(edge_c, q) * inverse;
-    const WideInt hits = (*b >= 0.0f) & (*c >= 0.0f) & (*b + *c <= 1.0f) & (t > 0.0f);
-    return hits ? t : (Wide)(INFINITY);
-}
-
+// #region leaf
 // The rays' limits, and `closest` where it is not 0, as walk_down has them.
-static void try_leaf(const Scene *scene, WideRays *rays, const uint first, const uint count,
-                     WideHits *closest) {
+static void try_leaf(const Scene *scene, WideRays *rays, const TriangleRays *shared,
+                     const uint first, const uint count, WideHits *closest) {
     for (uint i = first; i < first + count; ++i) {
         Wide b, c;
-        const Wide distance = intersect_facet(rays, &scene->facets[i], &b, &c);
+        const Wide distance = wide_ray_triangle(rays, shared, scene, i, &b, &c);
         if (closest) {
             const WideInt closer =
                 keep_closer(rays, closest, distance, SHAPE_TRIANGLE, (int)i);
@@ -36,7 +21,7 @@ static void try_leaf(const Scene *scene, WideRays *rays, const uint first, const
         }
     }
 }
-// #endregion facets
+// #endregion leaf
 
 // #region waiting_nodes
 // The nodes that are still to be looked into, the nearest last.
@@ -67,8 +52,9 @@ static void let_wait(WaitingNodes *waiting, const int bottom, const uint node, c
 // Down from the nodes that wait, the nearer of a node's children first: what it hits may spare the
 // others. With `closest`, to what each ray hits first, whose distance becomes its limit. Without, to
 // whether it hits anything: then it loses its limit.
-static void walk_down(const Scene *scene, WideRays *rays, WideHits *closest, const Beam *beam,
-                      const int alone, WaitingNodes *waiting) {
+static void walk_down(const Scene *scene, WideRays *rays, const TriangleRays *shared,
+                      WideHits *closest, const Beam *beam, const int alone,
+                      WaitingNodes *waiting) {
     PerPacket limits = -1.0f;
     for (int packet = 0; packet < PACKETS; ++packet) {
         if (alone == ALL_PACKETS || packet == alone) {
@@ -116,7 +102,7 @@ static void walk_down(const Scene *scene, WideRays *rays, WideHits *closest, con
             }
             for (int packet = 0; in; ++packet, in >>= 1) {
                 if (in & 1) {
-                    try_leaf(scene, &rays[packet], node->first[child], node->count[child],
+                    try_leaf(scene, &rays[packet], &shared[packet], node->first[child], node->count[child],
                              closest ? &closest[packet] : 0);
                     set_packet(&limits, packet, largest_lane(rays[packet].limit));
                 }
@@ -129,16 +115,20 @@ static void walk_down(const Scene *scene, WideRays *rays, WideHits *closest, con
 static void walk(const Scene *scene, WideRays *rays, WideHits *closest) {
     Beam beam;
     beam_of(&beam, rays);
+    TriangleRays shared[PACKETS];
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        shared[packet] = triangle_rays(&rays[packet], beam.axis);
+    }
     WaitingNodes waiting;
     waiting.count = 0;
     let_wait(&waiting, 0, 0, 0.0f);
-    walk_down(scene, rays, closest, &beam, ALL_PACKETS, &waiting);
+    walk_down(scene, rays, shared, closest, &beam, ALL_PACKETS, &waiting);
 #if PACKETS > 1
     for (int packet = 0; packet < PACKETS && waiting.count > 0; ++packet) {
         if (largest_lane(rays[packet].limit) > 0.0f) {
             WaitingNodes of_packet = waiting;
             narrow_beam(&beam, packet);
-            walk_down(scene, rays, closest, &beam, packet, &of_packet);
+            walk_down(scene, rays, shared, closest, &beam, packet, &of_packet);
         }
     }
 #endif

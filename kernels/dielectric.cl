@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 04; extended by 10 (meshes, Fresnel): glass. What is reflected, what goes through, and what
 // is lost inside.
+#include "origin.cl"
 #include "ray_stack.cl"
 #include "reflection.cl"
-#if METHOD_FRESNEL_EXACT
 #include "fresnel.cl"
-#endif
 
 // #region refract
 // Snell's law in vectors; `ratio` is the index of refraction on the side of `normal` over that
@@ -18,27 +17,29 @@ static bool refract(const float3 direction, const float3 normal, const float rat
         return false;
     }
     const float beyond = ratio * cosine - sqrt(1.0f - sine_squared);
-    *refracted = normalize(ratio * direction + beyond * normal);
+    *refracted = unit(ratio * direction + beyond * normal);
     return true;
 }
 // #endregion refract
 
-// #region schlick
-// The reflected share (Schlick, An Inexpensive BRDF Model for Physically-based Rendering,
-// 1994). `cosine` is that of the larger angle, the one on the side of the smaller index.
-static float schlick(const float cosine, const float ior) {
-    const float root = (1.0f - ior) / (1.0f + ior);
-    const float head_on = root * root;
-    const float slope = 1.0f - cosine;
-    const float slope_squared = slope * slope;
-    return head_on + (1.0f - head_on) * slope_squared * slope_squared * slope;
-}
-// #endregion schlick
-
 // #region beer
 // The share of the light that is left after a way through an absorbing medium (Beer's law).
-static float3 transmittance(const float3 absorption, const float distance) {
+#ifndef METHOD_TRANSMISSION
+#define METHOD_TRANSMISSION exact
+#endif
+#define transmittance JOIN(transmittance_, METHOD_TRANSMISSION)
+
+static float3 transmittance_exact(const float3 absorption, const float distance) {
     return exp(-absorption * distance);
+}
+
+// As the device does it fastest: the error is the device's own.
+static float3 transmittance_native(const float3 absorption, const float distance) {
+    return native_exp(-absorption * distance);
+}
+
+static float3 transmittance_none(const float3 absorption, const float distance) {
+    return (float3)(1.0f);
 }
 // #endregion beer
 
@@ -82,11 +83,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
     }
     const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
     const float cosine = fabs(dot(thinner_side, surface->normal));
-#if METHOD_FRESNEL_EXACT
     interface.reflectance = fresnel(cosine, ior);
-#else
-    interface.reflectance = schlick(cosine, ior);
-#endif
     fold_below(surface, &interface.refracted);
     return interface;
 }
@@ -141,11 +138,11 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         const Ray inside = {surface->position, interface.refracted};
         const float chord = intersect_ray_inside_sphere(inside, center);
         const float3 exit = inside.origin + chord * inside.direction;
-        const float3 inward = normalize(center - exit);
+        const float3 inward = unit(center - exit);
         leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
         leaving.weight *= 1.0f - interface.reflectance;
         leaving.weight *= transmittance(glass->absorption.xyz, chord);
-        leaving.ray.origin = exit - surface->offset * inward;
+        leaving.ray.origin = leave(surface, exit, -inward);
     }
     if (leaves) {
         push_ray(stack, leaving, &counts->refraction, counts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 02: diffuse shading, the light that a surface gets straight from lights.
 #include "light.cl"
+#include "origin.cl"
 #include "ray_counts.cl"
 #include "shadow.cl"
 

@@ -2,6 +2,13 @@
 // Introduced by stage 01: what is sent through the scene, and what comes back.
 #include "scene_types.h"
 
+// #region methods
+// What can be done in several ways has a function for each, of one signature; which of them is meant is
+// the host's choice (--method KIND=NAME), or else the name that is put down beside them.
+#define JOIN_NAMES(a, b) a##b
+#define JOIN(a, b) JOIN_NAMES(a, b)
+// #endregion methods
+
 // #region ray
 // Starts at its origin and never ends.
 typedef struct Ray {
@@ -35,27 +42,36 @@ typedef struct Surface {
     float3 geometric_normal;  // unit length
     bool from_behind;         // seen from inside a sphere or a mesh, or from under a plane
     int material;
-    float offset;  // how far off the surface a new ray starts
+    float reach;              // the largest number that went into the position
+#if HAS_ORIGIN_ERROR
+    float3 error;  // how far rounding may have moved the position, along each axis
+#endif
 #if HAS_TEXTURES
     float2 texture_coordinates;
 #endif
 } Surface;
 // #endregion hit
 
-// #region offset
-// Rounding moves a hit point by a few units in the last place of the largest number that went
-// into it, so a ray that leaves starts some thirty units off the surface: in proportion to
-// the coordinates, for a scene of any size.
-#define ORIGIN_OFFSET 2e-6f
+// #region rounding
+// What `count` roundings in a row do to a number, at the most (Pharr, Jakob and Humphreys, Physically
+// Based Rendering, 3rd edition, section 3.9.1).
+#define ROUNDING 5.9604645e-8f
+#define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
+// #endregion rounding
 
-static float origin_offset(const Ray ray, const float distance) {
-    const float3 size = fabs(ray.origin);
-    return ORIGIN_OFFSET * (max(size.x, max(size.y, size.z)) + distance);
+// #region unit
+// The vector's direction.
+#ifndef METHOD_NORMALISE
+#define METHOD_NORMALISE exact
+#endif
+#define unit JOIN(unit_, METHOD_NORMALISE)
+
+static float3 unit_exact(const float3 a) {
+    return normalize(a);
 }
 
-// `direction` need not be of unit length: only its side counts.
-static float3 origin_off(const Surface *surface, const float3 direction) {
-    const float side = dot(surface->geometric_normal, direction) < 0.0f ? -1.0f : 1.0f;
-    return surface->position + side * surface->offset * surface->geometric_normal;
+// As the device does it fastest: the error is the device's own.
+static float3 unit_native(const float3 a) {
+    return native_rsqrt(dot(a, a)) * a;
 }
-// #endregion offset
+// #endregion unit

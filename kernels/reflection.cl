@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 03: mirrors. The direction in which a surface sees, and the ray for it.
+#include "origin.cl"
 #include "ray_stack.cl"
 
 // #region reflect
@@ -15,7 +16,7 @@ static Ray reflected_ray(const Surface *surface, const float3 direction) {
     if (dot(reflected, surface->geometric_normal) < 0.0f) {
         reflected = reflect(reflected, surface->geometric_normal);
     }
-    const Ray ray = {origin_off(surface, surface->geometric_normal), normalize(reflected)};
+    const Ray ray = {origin_off(surface, surface->geometric_normal), unit(reflected)};
     return ray;
 }
 // #endregion reflect

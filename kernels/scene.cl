@@ -6,6 +6,23 @@
 // counts as 0, and what a scene has not costs nothing: no argument, no loop, no branch.
 #include "ray.cl"
 
+// #region storage
+// What meshes are made of takes half the bits where the host says so. The type half is for pointers only.
+#if STORAGE_IS_HALF
+typedef HalfFacet StoredFacet;
+typedef half StoredNormal;
+#define LOAD_NORMAL(normals, index) vload_half4(index, normals).xyz
+#define LOAD_COORDINATES(corner) vload_half3(0, (__global const half *)(corner))
+#define LOAD_NUMBER(numbers, index) vload_half(index, (__global const half *)(numbers))
+#else
+typedef Facet StoredFacet;
+typedef float4 StoredNormal;
+#define LOAD_NORMAL(normals, index) (normals)[index].xyz
+#define LOAD_COORDINATES(corner) vload3(0, corner)
+#define LOAD_NUMBER(numbers, index) (numbers)[index]
+#endif
+// #endregion storage
+
 // #region scene_fields
 #if SPHERE_COUNT > 0
 #define SPHERE_FIELDS(FIELD) FIELD(__global const Sphere *, spheres)
@@ -34,15 +51,22 @@
 #if TRIANGLE_COUNT > 0
 #define MESH_FIELDS(FIELD)                      \
     FIELD(__global const Triangle *, triangles) \
-    FIELD(__global const float4 *, vertex_normals)
+    FIELD(__global const StoredNormal *, vertex_normals)
 #else
 #define MESH_FIELDS(FIELD)
 #endif
 
+#if HAS_FACET_MAPS
+#define FACET_MAP_FIELDS(FIELD) FIELD(__global const FacetMap *, facet_maps)
+#else
+#define FACET_MAP_FIELDS(FIELD)
+#endif
+
 #if BVH_WIDTH > 0
-#define CORNER_FIELDS(FIELD)                  \
-    FIELD(__global const Facet *, facets) \
-    FIELD(__global const BvhNode *, bvh_nodes)
+#define CORNER_FIELDS(FIELD)                   \
+    FIELD(__global const StoredFacet *, facets) \
+    FIELD(__global const BvhNode *, bvh_nodes)  \
+    FACET_MAP_FIELDS(FIELD)
 #elif TRIANGLE_COUNT > 0
 #define CORNER_FIELDS(FIELD) FIELD(__global const float4 *, vertex_positions)
 #else

@@ -6,7 +6,9 @@
 #define STAGELIGHT_SCENE_TYPES_H
 
 #ifdef __OPENCL_VERSION__
+#if !METHOD_MATH_MAD
 #pragma OPENCL FP_CONTRACT OFF
+#endif
 #else
 #include <cstddef>
 
@@ -101,12 +103,26 @@ typedef struct Triangle {
     int material;
 } Triangle;
 
-// Where a triangle is, from stage 09 on: its first corner and the ways from there to the others.
+// Where a triangle is, from stage 09 on: its corners.
 typedef struct Facet {
-    float corner[3];
-    float edge_b[3];
-    float edge_c[3];
+    float corners[3][3];
 } Facet;
+
+// The same in half the bits, to be read as half: OpenCL C 1.2 has no member of that type.
+typedef struct HalfFacet {
+    unsigned short corners[3][3];
+} HalfFacet;
+
+// A triangle's map to the unit triangle (kernels/wide_triangle.cl, "baldwin_weber"). The normal is
+// longest along `axis`; u and v are the two axes after it. A point is `along`: p[axis] + along[0] *
+// p[u] + along[1] * p[v] + along[2] off the plane, and has the weights to_b[0] * p[u] + to_b[1] *
+// p[v] + to_b[2], and the like for c.
+typedef struct FacetMap {
+    float along[3];
+    float to_b[3];
+    float to_c[3];
+    int axis;
+} FacetMap;
 
 // Of a coordinate: how far rounding may move what is measured from it, with room to spare. Boxes
 // are grown by it on the host, and for a ray's own origin on the device (kernels/beam.cl, "slab").
@@ -118,11 +134,17 @@ typedef struct Facet {
 #define PACKETS_IN_ROW_OF(width) ((width) == 1 ? 1 : 2)
 
 #if BVH_WIDTH > 0
+#if STORAGE_IS_HALF
+typedef unsigned short StoredNumber;
+#else
+typedef float StoredNumber;
+#endif
+
 // Boxes around triangles, side by side, so that all are tried at once.
 typedef struct BvhNode {
-    float planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
-    uint first[BVH_WIDTH];       // of a leaf, the first of its triangles; else the child's node
-    uint count[BVH_WIDTH];       // of a leaf, how many triangles it has; else 0
+    StoredNumber planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
+    uint first[BVH_WIDTH];  // of a leaf, the first of its triangles; else the child's node
+    uint count[BVH_WIDTH];  // of a leaf, how many triangles it has; else 0
 } BvhNode;
 #endif
 
@@ -152,8 +174,9 @@ static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
 static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
               && offsetof(Plane, material) == 20);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
-static_assert(sizeof(Facet) == 36 && offsetof(Facet, edge_b) == 12
-              && offsetof(Facet, edge_c) == 24);
+static_assert(sizeof(Facet) == 36 && sizeof(HalfFacet) == 18);
+static_assert(sizeof(FacetMap) == 40 && offsetof(FacetMap, to_b) == 12
+              && offsetof(FacetMap, to_c) == 24 && offsetof(FacetMap, axis) == 36);
 static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, faded) == 16);
 }  // namespace stagelight::device
 #endif

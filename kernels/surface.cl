@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01; extended by 05 (triangles) and 06 (texture coordinates): what is there
 // where a ray has hit.
+#include "origin.cl"
 #include "scene.cl"
 #if TRIANGLE_COUNT > 0
 #include "triangle.cl"
@@ -15,10 +16,14 @@
 static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
     const float3 center = sphere.center.xyz;
     const float3 position = ray.origin + hit.distance * ray.direction;
-    surface->normal = normalize(position - center);
+    surface->normal = unit(position - center);
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
+#if HAS_ORIGIN_ERROR
+    surface->error = GAMMA(5.0f) * fabs(sphere.radius * surface->normal)
+                     + GAMMA(1.0f) * fabs(surface->position);
+#endif
 #if HAS_TEXTURES
     surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
 #endif
@@ -31,6 +36,9 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->normal = plane.normal.xyz;
     surface->geometric_normal = plane.normal.xyz;
     surface->material = plane.material;
+#if HAS_ORIGIN_ERROR
+    surface->error = GAMMA(8.0f) * (fabs(ray.origin) + fabs(hit.distance * ray.direction));
+#endif
 #if HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);  // a plane has none
 #endif
@@ -76,7 +84,7 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         surface.normal = -surface.normal;
         surface.geometric_normal = -surface.geometric_normal;
     }
-    surface.offset = origin_offset(ray, hit.distance);
+    surface.reach = reach_of(ray, hit.distance);
     return surface;
 }
 // #endregion surface_at

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 06: reading a picture, with the device's own linear filter.
+// Introduced by stage 06: reading a picture.
 #include "scene.cl"
 
-// #region texture_color
+// #region filtered
 // OpenCL 1.2 hands textures over as one array of images of one size (paper, section 7). Each
 // picture lies in the upper left corner of its layer, inside a border of one texel copied from its
 // opposite edge, so that the filter blends across the wrap. Coordinates are in texels: PoCL 3.1
@@ -10,13 +10,41 @@
 __constant sampler_t texel_sampler =
     CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_LINEAR;
 
+// The mean of the four texels around a point, by how near each is.
+#ifndef METHOD_FILTERING
+#define METHOD_FILTERING sampler
+#endif
+#define filtered JOIN(filtered_, METHOD_FILTERING)
+
+static float3 filtered_sampler(const float2 texel, const float layer TEXTURE_PARAMETER) {
+    return read_imagef(textures, texel_sampler, (float4)(texel, layer, 0.0f)).xyz;
+}
+
+// In float, whatever precision the device's filter has: OpenCL asks for no more than 8 bits of its
+// weights (specification 1.2, section 8.2).
+__constant sampler_t nearest_sampler =
+    CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
+
+static float3 filtered_hand(const float2 texel, const float layer TEXTURE_PARAMETER) {
+    const float2 low = floor(texel - 0.5f);
+    const float2 share = texel - 0.5f - low;
+    const float2 near = low + 0.5f;
+    const float2 far = near + 1.0f;
+    const float4 a = read_imagef(textures, nearest_sampler, (float4)(near, layer, 0.0f));
+    const float4 b = read_imagef(textures, nearest_sampler, (float4)(far.x, near.y, layer, 0.0f));
+    const float4 c = read_imagef(textures, nearest_sampler, (float4)(near.x, far.y, layer, 0.0f));
+    const float4 d = read_imagef(textures, nearest_sampler, (float4)(far, layer, 0.0f));
+    return mix(mix(a, b, share.x), mix(c, d, share.x), share.y).xyz;
+}
+// #endregion filtered
+
+// #region texture_color
 static float3 texture_color(const Material *material, const float2 coordinates TEXTURE_PARAMETER) {
     if (material->texture < 0) {
         return (float3)(1.0f);
     }
     const float2 wrapped = coordinates - floor(coordinates);
     const float2 texel = wrapped * material->texture_size + 1.0f;
-    const float4 position = (float4)(texel, convert_float(material->texture), 0.0f);
-    return read_imagef(textures, texel_sampler, position).xyz;
+    return filtered(texel, convert_float(material->texture) TEXTURE_ARGUMENT);
 }
 // #endregion texture_color

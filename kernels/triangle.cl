@@ -9,11 +9,17 @@ typedef struct Edges {
     float3 b, c;
 } Edges;
 
+#if BVH_WIDTH > 0
+static float3 facet_corner(const Scene *scene, const int index, const int corner) {
+    return LOAD_COORDINATES(scene->facets[index].corners[corner]);
+}
+#endif
+
 static Edges triangle_edges(const Scene *scene, const int index) {
 #if BVH_WIDTH > 0
-    __global const Facet *facet = &scene->facets[index];
-    const Edges edges = {vload3(0, facet->corner), vload3(0, facet->edge_b),
-                         vload3(0, facet->edge_c)};
+    const float3 corner = facet_corner(scene, index, 0);
+    const Edges edges = {corner, facet_corner(scene, index, 1) - corner,
+                         facet_corner(scene, index, 2) - corner};
 #else
     const Triangle triangle = scene->triangles[index];
     const float3 corner = scene->vertex_positions[triangle.vertices[0]].xyz;
@@ -77,10 +83,14 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
     const float c = hit.barycentric.y;
     const float a = 1.0f - b - c;
     surface->position = edges.corner + b * edges.b + c * edges.c;
-    surface->normal = a * scene->vertex_normals[triangle.vertices[0]].xyz
-                      + b * scene->vertex_normals[triangle.vertices[1]].xyz
-                      + c * scene->vertex_normals[triangle.vertices[2]].xyz;
+    surface->normal = a * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[0])
+                      + b * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[1])
+                      + c * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[2]);
     surface->geometric_normal = cross(edges.b, edges.c);
+#if HAS_ORIGIN_ERROR
+    surface->error =
+        GAMMA(6.0f) * (fabs(edges.corner) + fabs(b * edges.b) + fabs(c * edges.c));
+#endif
     surface->material = triangle.material;
 #if HAS_MESH_TEXTURES
     surface->texture_coordinates = a * scene->vertex_texture_coordinates[triangle.vertices[0]]
@@ -93,8 +103,8 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
 
 // The facet's normal is on the side of the vertices' normals, whichever way round the corners are.
 static void finish_triangle(Surface *surface) {
-    surface->normal = normalize(surface->normal);
-    const float3 facet = normalize(surface->geometric_normal);
+    surface->normal = unit(surface->normal);
+    const float3 facet = unit(surface->geometric_normal);
     surface->geometric_normal = dot(facet, surface->normal) < 0.0f ? -facet : facet;
 }
 // #endregion triangle_surface

@@ -5,16 +5,19 @@
 #include "ray.cl"
 
 // #region wide
-#define JOIN_NAMES(a, b) a##b
-#define JOIN(a, b) JOIN_NAMES(a, b)
-
 // A mask is what comparing two Wide gives: in a lane it is 0, or else 1 (WIDTH 1) or -1 (all bits).
 #if WIDTH == 1
 typedef float Wide;
 typedef int WideInt;
+#define AS_WIDE as_float
+#define AS_WIDE_INT as_int
+#define TO_WIDE_INT convert_int
 #else
 typedef JOIN(float, WIDTH) Wide;
 typedef JOIN(int, WIDTH) WideInt;
+#define AS_WIDE JOIN(as_float, WIDTH)
+#define AS_WIDE_INT JOIN(as_int, WIDTH)
+#define TO_WIDE_INT JOIN(convert_int, WIDTH)
 #endif
 
 // In memory, where each lane can be reached. Not by vload and vstore, which PoCL does in pieces: what
@@ -205,6 +208,12 @@ static Wide3 wide3(const float3 value) {
     return wide;
 }
 
+#define ALL_AXES -1
+
+static Wide along_axis(const Wide3 *a, const int axis) {
+    return axis == 0 ? a->x : axis == 1 ? a->y : a->z;
+}
+
 static Wide3 wide_sum(const Wide3 a, const Wide3 b) {
     const Wide3 sum = {a.x + b.x, a.y + b.y, a.z + b.z};
     return sum;
@@ -232,6 +241,18 @@ static Wide3 masked(const WideInt mask, const Wide3 a) {
     return masked;
 }
 
+// by * a + b, rounded once.
+static Wide3 wide_fma(const Wide by, const Wide3 a, const Wide3 b) {
+    const Wide3 sum = {fma(by, a.x, b.x), fma(by, a.y, b.y), fma(by, a.z, b.z)};
+    return sum;
+}
+
+// `a` turned round where the mask is set.
+static Wide3 turned(const WideInt mask, const Wide3 a) {
+    const Wide3 turned = {mask ? -a.x : a.x, mask ? -a.y : a.y, mask ? -a.z : a.z};
+    return turned;
+}
+
 static Wide wide_dot(const Wide3 a, const Wide3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -241,8 +262,15 @@ static Wide3 wide_cross(const Wide3 a, const Wide3 b) {
     return cross;
 }
 
-static Wide3 wide_normalized(const Wide3 a) {
+// As unit_exact and unit_native.
+#define wide_unit JOIN(wide_unit_, METHOD_NORMALISE)
+
+static Wide3 wide_unit_exact(const Wide3 a) {
     return wide_scaled(1.0f / sqrt(wide_dot(a, a)), a);
+}
+
+static Wide3 wide_unit_native(const Wide3 a) {
+    return wide_scaled(native_rsqrt(wide_dot(a, a)), a);
 }
 // #endregion wide3
 

@@ -3,39 +3,11 @@
 // are those of sphere.cl and plane.cl, component by component: OpenCL C has no vectors of vectors.
 #include "scene.cl"
 #include "wide.cl"
+#include "wide_sphere.cl"
 #if BVH_WIDTH > 0
 #include "bvh.cl"
 #endif
 
-// #region wide_sphere
-// As intersect_ray_sphere.
-static Wide wide_ray_sphere(const WideRays *rays, const float3 center, const float radius) {
-    const Wide3 to_center = wide_difference(wide3(center), rays->origin);
-    const Wide nearest = wide_dot(to_center, rays->direction);
-    const Wide3 perpendicular = wide_difference(to_center, wide_scaled(nearest, rays->direction));
-    const Wide half_chord_squared = radius * radius - wide_dot(perpendicular, perpendicular);
-    const Wide half_chord = sqrt(half_chord_squared);
-    const WideInt inside = wide_dot(to_center, to_center) < radius * radius;
-    const Wide distance = inside ? nearest + half_chord : nearest - half_chord;
-    return distance > 0.0f ? distance : (Wide)(INFINITY);  // false where the root is not a number
-}
-
-// As intersect_line_sphere; a line ends after one length of its direction.
-static WideInt wide_line_sphere(const WideRays *lines, const float3 center, const float radius) {
-    const float radius_squared = radius * radius;
-    const Wide3 along = lines->direction;
-    const Wide3 to_center = wide_difference(wide3(center), lines->origin);
-    const Wide3 from_destination = wide_difference(to_center, along);
-    const WideInt origin_inside = wide_dot(to_center, to_center) < radius_squared;
-    const WideInt destination_inside =
-        wide_dot(from_destination, from_destination) < radius_squared;
-    const Wide nearest = wide_dot(to_center, along) / wide_dot(along, along);
-    const Wide3 perpendicular = wide_difference(to_center, wide_scaled(nearest, along));
-    const WideInt passes = (nearest > 0.0f) & (nearest < 1.0f)
-                           & (wide_dot(perpendicular, perpendicular) < radius_squared);
-    return (origin_inside | destination_inside) ? origin_inside ^ destination_inside : passes;
-}
-// #endregion wide_sphere
 
 // #region wide_plane
 // As intersect_ray_plane.

@@ -44,13 +44,6 @@ static WideIllumination wide_light_at(const Light light, const Wide3 position) {
 // #endregion wide_light_at
 
 // #region wide_direct_light
-// As origin_off.
-static Wide3 wide_origin_off(const WideSurfaces *surfaces, const Wide3 direction) {
-    const WideInt beneath = wide_dot(surfaces->geometric_normal, direction) < 0.0f;
-    return wide_sum(surfaces->position, wide_scaled(beneath ? -surfaces->offset : surfaces->offset,
-                                                    surfaces->geometric_normal));
-}
-
 // From the surfaces in the mask. A line to a point light is a ray that ends after one length of its
 // direction.
 static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,

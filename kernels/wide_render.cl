@@ -15,7 +15,7 @@ static WideRays camera_rays(const Camera *camera, const int2 corner) {
                                      wide_scaled(x, wide3(camera->right.xyz)));
     WideRays rays;
     rays.origin = wide3(camera->position.xyz);
-    rays.direction = wide_normalized(
+    rays.direction = wide_unit(
         wide_sum(at_column, wide_scaled(y, wide3(camera->down.xyz))));
     const WideInt inside = (column < (float)camera->size.x) & (row < (float)camera->size.y);
     rays.limit = inside ? (Wide)(INFINITY) : (Wide)(-1.0f);

@@ -3,25 +3,23 @@
 // lane by lane; what is arithmetic is done for all lanes at once.
 #include "surface.cl"
 #include "wide_hit.cl"
+#include "wide_origin.cl"
 
-// #region wide_surfaces
-// As Surface, which each lane can be given back as.
-typedef struct WideSurfaces {
-    Wide3 position, normal, geometric_normal;
-    WideInt from_behind;
-    Wide offset;
-} WideSurfaces;
-
+// #region surface_lanes
+// Which each lane's Surface can be taken from.
 typedef struct SurfaceLanes {
     Lanes3 position, normal, geometric_normal;
     LanesInt from_behind;
-    Lanes offset;
+    Lanes reach;
+#if HAS_ORIGIN_ERROR
+    Lanes3 error;
+#endif
     int material[WIDTH];
 #if HAS_TEXTURES
     float2 texture_coordinates[WIDTH];
 #endif
 } SurfaceLanes;
-// #endregion wide_surfaces
+// #endregion surface_lanes
 
 // #region put_surface
 // As it was fetched: the rest is worked out for all lanes.
@@ -29,6 +27,9 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
     put_lane(&lanes->position, lane, surface->position);
     put_lane(&lanes->normal, lane, surface->normal);
     put_lane(&lanes->geometric_normal, lane, surface->geometric_normal);
+#if HAS_ORIGIN_ERROR
+    put_lane(&lanes->error, lane, surface->error);
+#endif
     lanes->material[lane] = surface->material;
 #if HAS_TEXTURES
     lanes->texture_coordinates[lane] = surface->texture_coordinates;
@@ -37,31 +38,21 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
 // #endregion put_surface
 
 // #region finish
-// `a` turned round where the mask is set.
-static Wide3 turned(const WideInt mask, const Wide3 a) {
-    const Wide3 turned = {mask ? -a.x : a.x, mask ? -a.y : a.y, mask ? -a.z : a.z};
-    return turned;
-}
-
-static Wide wide_origin_offset(const WideRays *rays) {
-    const Wide x = fabs(rays->origin.x);
-    const Wide y = fabs(rays->origin.y);
-    const Wide z = fabs(rays->origin.z);
-    return ORIGIN_OFFSET * (larger(x, larger(y, z)) + rays->limit);
-}
-
 // As finish_triangle, and the end of surface_at.
 static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *lanes) {
     WideSurfaces surfaces;
     surfaces.position = load_lanes(&lanes->position);
-    surfaces.normal = wide_normalized(load_lanes(&lanes->normal));
-    surfaces.geometric_normal = wide_normalized(load_lanes(&lanes->geometric_normal));
+    surfaces.normal = wide_unit(load_lanes(&lanes->normal));
+    surfaces.geometric_normal = wide_unit(load_lanes(&lanes->geometric_normal));
     const WideInt inward = wide_dot(surfaces.geometric_normal, surfaces.normal) < 0.0f;
     surfaces.geometric_normal = turned(inward, surfaces.geometric_normal);
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
     surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
     surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
-    surfaces.offset = wide_origin_offset(rays);
+    surfaces.reach = wide_reach_of(rays);
+#if HAS_ORIGIN_ERROR
+    surfaces.error = load_lanes(&lanes->error);
+#endif
     return surfaces;
 }
 
@@ -70,7 +61,7 @@ static void store_surfaces(SurfaceLanes *lanes, const WideSurfaces *surfaces) {
     store_lanes(&lanes->normal, surfaces->normal);
     store_lanes(&lanes->geometric_normal, surfaces->geometric_normal);
     lanes->from_behind.wide = surfaces->from_behind;
-    lanes->offset.wide = surfaces->offset;
+    lanes->reach.wide = surfaces->reach;
 }
 
 static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
@@ -80,7 +71,10 @@ static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
     surface.geometric_normal = get_lane(&lanes->geometric_normal, lane);
     surface.from_behind = lanes->from_behind.lane[lane] != 0;
     surface.material = lanes->material[lane];
-    surface.offset = lanes->offset.lane[lane];
+    surface.reach = lanes->reach.lane[lane];
+#if HAS_ORIGIN_ERROR
+    surface.error = get_lane(&lanes->error, lane);
+#endif
 #if HAS_TEXTURES
     surface.texture_coordinates = lanes->texture_coordinates[lane];
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/options.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
@@ -33,12 +35,17 @@ std::pair<int, int> parse_size(const std::string &text) {
     return {width, height};
 }
 
-std::string method_help(int stage) {
-    std::string help;
+// A line for each method of a stage, the default of its kind first.
+std::string list_methods(int stage) {
+    std::string list;
+    std::string kind;
     for (const Method &method : methods_of(stage)) {
-        help += fmt::format("\n{}={}  ({})", method.kind, method.name, method.source);
+        const std::string choice = method.kind + '=' + method.name;
+        const char *is_default = method.kind != kind ? "  default" : "";
+        kind = method.kind;
+        list += fmt::format("{:<26}{:<9}  {}\n", choice, is_default, method.source);
     }
-    return help;
+    return list;
 }
 
 // Stage 07 is about the window, and opens one unless a picture file is asked for.
@@ -107,8 +114,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
                      "left as it is meant, right without gamma: nothing decoded, nothing encoded");
     }
     app.add_option("--method", methods,
-                   "KIND=NAME, the first of a kind is the default:"
-                       + method_help(stage_number(stage)))
+                   "KIND=NAME, one way to do what can be done in several; 'list' lists them")
         ->take_all();
     app.add_option("--kernels", options.kernels,
                    "read the kernels from DIR, which holds kernels/ and stages/");
@@ -133,6 +139,10 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     }
     if (size_option->count() > 0) {
         options.size = parse_size(size);
+    }
+    if (std::ranges::find(methods, "list") != methods.end()) {
+        fmt::print("{}", list_methods(stage_number(stage)));
+        return std::nullopt;
     }
     for (const std::string &choice : methods) {
         choose_method(options.methods, choice, stage_number(stage));

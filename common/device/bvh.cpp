@@ -9,6 +9,7 @@
 #include <numeric>
 #include <thread>
 
+#include <CL/cl_half.h>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
@@ -67,13 +68,18 @@ struct Branch {
     Part left, right;
 };
 
+// The nearest half that is not less than `number` or, where `outwards` is negative, not greater.
+std::uint16_t half_beyond(float number, int outwards) {
+    return cl_half_from_float(number, outwards < 0 ? CL_HALF_RTN : CL_HALF_RTP);
+}
+
 class Builder {
 public:
-    Builder(const Scene &scene, int width) : boxes_(scene.triangles.size()) {
-        bvh_.width = width;
+    Builder(const Scene &scene, const BvhLayout &layout) : boxes_(scene.triangles.size()) {
+        bvh_.layout = layout;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             for (const std::uint32_t vertex : scene.triangles[i].vertices) {
-                boxes_[i].add(glm::vec3(scene.vertices[vertex].position));
+                boxes_[i].add(stored_position(scene.vertices[vertex], layout.is_half));
             }
         }
         bvh_.order.resize(boxes_.size());
@@ -90,7 +96,9 @@ public:
             static_cast<int>(std::bit_width(std::thread::hardware_concurrency()));
         const Part root = divide(all, 0, levels_of_threads);
         const glm::vec3 largest = glm::max(glm::abs(root.box.low), glm::abs(root.box.high));
-        room_ = SLAB_ROOM * std::max({largest.x, largest.y, largest.z});
+        if (bvh_.layout.has_room) {
+            room_ = SLAB_ROOM * std::max({largest.x, largest.y, largest.z});
+        }
         emit(children_of(root), 1);
         return std::move(bvh_);
     }
@@ -218,7 +226,7 @@ private:
     // two.
     std::vector<Part> children_of(const Part &part) const {
         std::vector<Part> children{part};
-        while (children.size() < std::size_t(bvh_.width)) {
+        while (children.size() < width()) {
             const auto largest = std::ranges::max_element(children, {}, [](const Part &child) {
                 return child.branch == 0 ? -1.0F : child.box.half_area();
             });
@@ -237,30 +245,42 @@ private:
     std::uint32_t emit(const std::vector<Part> &children, int waiting) {
         bvh_.stack_size = std::max(bvh_.stack_size, waiting);
         const std::size_t node = bvh_.nodes.size();
-        bvh_.nodes.resize(node + 8 * std::size_t(bvh_.width));
+        const std::size_t words = words_of_box() * width() + 2 * width();
+        bvh_.nodes.resize(node + words);
         const auto is_inner = [](const Part &child) { return child.branch != 0; };
         const auto inner = static_cast<int>(std::ranges::count_if(children, is_inner));
-        for (std::size_t i = 0; i < std::size_t(bvh_.width); ++i) {
+        for (std::size_t i = 0; i < width(); ++i) {
             // In the place of one that is missing, a box that no ray meets.
             const Part child = i < children.size() ? children[i] : Part{{}, {0, 1}, 0};
             const std::uint32_t first =
                 is_inner(child) ? emit(children_of(child), waiting - 1 + inner) : child.range.begin;
-            put_child(node + i, child, first);
+            put_child(node, i, child, first);
         }
-        return static_cast<std::uint32_t>(node / (8 * std::size_t(bvh_.width)));
+        return static_cast<std::uint32_t>(node / words);
     }
 
-    void put_child(std::size_t place, const Part &child, std::uint32_t first) {
-        const auto row = [&](std::size_t index) -> std::uint32_t & {
-            return bvh_.nodes[place + index * std::size_t(bvh_.width)];
-        };
+    std::size_t width() const { return static_cast<std::size_t>(bvh_.layout.width); }
+    std::size_t words_of_box() const { return bvh_.layout.is_half ? 3 : 6; }
+
+    void put_child(std::size_t node, std::size_t index, const Part &child, std::uint32_t first) {
         for (int axis = 0; axis < 3; ++axis) {
-            const auto index = static_cast<std::size_t>(axis);
-            row(index) = std::bit_cast<std::uint32_t>(child.box.low[axis] - room_);
-            row(index + 3) = std::bit_cast<std::uint32_t>(child.box.high[axis] + room_);
+            const auto row = static_cast<std::size_t>(axis) * width() + index;
+            put_plane(node, row, child.box.low[axis] - room_, -1);
+            put_plane(node, 3 * width() + row, child.box.high[axis] + room_, 1);
         }
-        row(6) = first;
-        row(7) = child.branch == 0 ? child.range.size() : 0;
+        const std::size_t children = node + words_of_box() * width() + index;
+        bvh_.nodes[children] = first;
+        bvh_.nodes[children + width()] = child.branch == 0 ? child.range.size() : 0;
+    }
+
+    // Never further in than it is: what a half can't hold is rounded to the side of `outwards`.
+    void put_plane(std::size_t node, std::size_t place, float plane, int outwards) {
+        if (!bvh_.layout.is_half) {
+            bvh_.nodes[node + place] = std::bit_cast<std::uint32_t>(plane);
+            return;
+        }
+        const std::uint32_t bits = half_beyond(plane, outwards);
+        bvh_.nodes[node + place / 2] |= place % 2 == 0 ? bits : bits << 16U;
     }
 
     float room_ = 0;  // how far boxes are grown on every side
@@ -271,8 +291,24 @@ private:
 
 }  // namespace
 
-Bvh build_bvh(const Scene &scene, int width) {
-    return Builder(scene, width).build();
+Bvh build_bvh(const Scene &scene, const BvhLayout &layout) {
+    return Builder(scene, layout).build();
+}
+
+std::uint16_t to_half(float number) {
+    constexpr float largest = 65504;
+    return cl_half_from_float(std::clamp(number, -largest, largest), CL_HALF_RTE);
+}
+
+float from_half(std::uint16_t bits) {
+    return cl_half_to_float(bits);
+}
+
+glm::vec3 stored_position(const Vertex &vertex, bool is_half) {
+    const glm::vec3 position(vertex.position);
+    return is_half ? glm::vec3(from_half(to_half(position.x)), from_half(to_half(position.y)),
+                               from_half(to_half(position.z)))
+                   : position;
 }
 
 }  // namespace stagelight

@@ -9,20 +9,35 @@
 
 namespace stagelight {
 
+// How boxes and triangles lie on the device.
+struct BvhLayout {
+    int width = 4;         // children that a node has room for
+    bool has_room = true;  // boxes are grown by what rounding does to rays
+    bool is_half = false;  // in half the bits, whose boxes hold what the corners are rounded to
+};
+
 struct Bvh {
-    // BvhNode after BvhNode (kernels/scene_types.h), a float as its bits; the first is the root,
-    // and nodes come before their children.
+    // BvhNode after BvhNode (kernels/scene_types.h), two half or a float as their bits; the first
+    // is the root, and nodes come before their children.
     std::vector<std::uint32_t> nodes;
-    int width = 0;                     // children that a node has room for
+    BvhLayout layout;
     int stack_size = 0;                // nodes that can be waiting at a time
     std::vector<std::uint32_t> order;  // triangle of the scene at each place of a leaf
 };
 
 // Built on all cores: binned by the surface area heuristic (Wald, On Fast Construction of SAH-based
 // Bounding Volume Hierarchies, 2007), then drawn together to `width` children a node (Wald et al.,
-// Getting Rid of Packets, 2008, section 3). The boxes hold the vertices as the device has them, in
-// float, with room for what rounding does to rays. The tree is the same on any number of cores; a
-// scene without triangles has no nodes.
-Bvh build_bvh(const Scene &scene, int width = 4);
+// Getting Rid of Packets, 2008, section 3). The boxes hold the vertices as the device has them,
+// rounded as `layout` says. The tree is the same on any number of cores; a scene without triangles
+// has no nodes.
+Bvh build_bvh(const Scene &scene, const BvhLayout &layout = {});
+
+// The bits of the half that is nearest to a number, of the largest finite one for what is larger;
+// and the number that such bits stand for.
+std::uint16_t to_half(float number);
+float from_half(std::uint16_t bits);
+
+// A vertex as the device has it.
+glm::vec3 stored_position(const Vertex &vertex, bool is_half);
 
 }  // namespace stagelight

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "device/scene_needs.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 
@@ -13,17 +14,67 @@ namespace {
 
 const std::vector<Method> &all_methods() {
     static const std::vector<Method> methods = {
-        {"interior", "full", 4, "", "Snell, Schlick and Beer at every wall, to the depth limit"},
-        {"interior", "paper", 4, "METHOD_INTERIOR_PAPER",
-         "the paper, section 5: once through the sphere, no reflection inside"},
-        {"fresnel", "schlick", 10, "", "Schlick 1994, as the paper has it"},
-        {"fresnel", "exact", 10, "METHOD_FRESNEL_EXACT",
+        {"sphere", "haines", acceleration_stage, "",
+         "Haines et al., Ray Tracing Gems 2019, chapter 7: no difference of large numbers"},
+        {"sphere", "geometric", acceleration_stage, "-D METHOD_SPHERE=geometric",
+         "the paper, section 2: by the perpendicular from the centre"},
+        {"sphere", "textbook", acceleration_stage, "-D METHOD_SPHERE=textbook",
+         "the quadratic formula as in school"},
+        {"triangle", "woop", acceleration_stage, "", "Woop, Benthin and Wald 2013: watertight"},
+        {"triangle", "moeller_trumbore", acceleration_stage, "-D METHOD_TRIANGLE=moeller_trumbore",
+         "Möller and Trumbore 1997, with no threshold"},
+        {"triangle", "threshold", acceleration_stage, "-D METHOD_TRIANGLE=threshold",
+         "Möller and Trumbore 1997, as in their code: no determinant below 1e-5"},
+        {"triangle", "baldwin_weber", acceleration_stage,
+         "-D METHOD_TRIANGLE=baldwin_weber -D HAS_FACET_MAPS=1",
+         "Baldwin and Weber 2016: each triangle brings its map"},
+        {"box", "robust", acceleration_stage, "",
+         "by comparing, with room for 2 ulp of each coordinate (after Ize 2013)"},
+        {"box", "ordered", acceleration_stage, "-D METHOD_BOX=ordered",
+         "Kay and Kajiya 1986, by comparing"},
+        {"box", "fminmax", acceleration_stage, "-D METHOD_BOX=fminmax",
+         "Kay and Kajiya 1986, by fmin and fmax"},
+        {"origin", "scaled", 2, "", "off the surface by 2e-6 of the largest number in play"},
+        {"origin", "fixed", 2, "-D METHOD_ORIGIN=fixed", "off the surface by 0.001"},
+        {"origin", "integer", 2, "-D METHOD_ORIGIN=integer",
+         "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
+        {"origin", "error_bound", 2, "-D METHOD_ORIGIN=error_bound -D HAS_ORIGIN_ERROR=1",
+         "Pharr, Jakob and Humphreys, PBRT 3rd edition, section 3.9"},
+        {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
+        {"fresnel", "exact", fading_stage, "-D METHOD_FRESNEL=exact",
          "Fresnel's equations, for light that is not polarised"},
+        {"fresnel", "none", glass_stage, "-D METHOD_FRESNEL=none",
+         "no reflection, short of total internal reflection"},
+        {"interior", "full", glass_stage, "",
+         "Snell, Schlick and Beer at every wall, to the depth limit"},
+        {"interior", "paper", glass_stage, "-D METHOD_INTERIOR_PAPER=1",
+         "the paper, section 5: once through the sphere, no reflection inside"},
+        {"transmission", "exp", glass_stage, "", "Beer's law by exp"},
+        {"transmission", "native_exp", glass_stage, "-D METHOD_TRANSMISSION=native",
+         "Beer's law by the device's native_exp"},
+        {"transmission", "none", glass_stage, "-D METHOD_TRANSMISSION=none",
+         "glass that absorbs nothing"},
+        {"filtering", "sampler", texture_stage, "", "of four texels, by the device's sampler"},
+        {"filtering", "hand", texture_stage, "-D METHOD_FILTERING=hand",
+         "of four texels, in float"},
         {"decode", "srgb", gamma_stage, "",
-         "IEC 61966-2-1: texels are sRGB, as pictures mostly are"},
+         "IEC 61966-2-1, a table of the 256 codes: texels are sRGB, as pictures mostly are"},
         {"decode", "2.2", gamma_stage, "", "the paper, section 8: texels are light to 1 / 2.2"},
         {"encode", "srgb", gamma_stage, "", "IEC 61966-2-1: the picture is for an sRGB screen"},
         {"encode", "2.2", gamma_stage, "", "the paper, section 8: light to 1 / 2.2"},
+        {"normalise", "exact", 1, "", "by 1 / sqrt"},
+        {"normalise", "native", 1, "-D METHOD_NORMALISE=native", "by the device's native_rsqrt"},
+        {"math", "strict", 1, "", "every operation rounded as IEEE 754 has it"},
+        {"math", "mad", 1, "-D METHOD_MATH_MAD=1 -cl-mad-enable",
+         "-cl-mad-enable: products and sums may be contracted"},
+        {"math", "relaxed", 1, "-D METHOD_MATH_MAD=1 -cl-fast-relaxed-math",
+         "-cl-fast-relaxed-math: and reordered, with no thought of NaN and infinity"},
+        {"storage", "float", acceleration_stage, "", "boxes and corners in 32 bits a number"},
+        {"storage", "half", acceleration_stage, "-D STORAGE_IS_HALF=1",
+         "boxes, corners and normals in 16 bits a number"},
+        {"depth", "contribution", fading_stage, "",
+         "until a ray carries less than 1/4096 of a pixel"},
+        {"depth", "fixed", fading_stage, "", "every ray, to the depth limit"},
         {"width", "device", acceleration_stage, "",
          "rays side by side in a work-item: 1 on a GPU, else the width that the device prefers"},
         {"width", "1", acceleration_stage, "", "one ray in a work-item"},
@@ -41,13 +92,20 @@ std::string choice_of(const Method &method) {
     return method.kind + '=' + method.name;
 }
 
-std::string choices_of(int stage) {
+// KIND=NAME|NAME, of one kind, or of all where a stage has none of that name.
+std::string choices_of(const std::string &kind, int stage) {
+    const std::vector<Method> methods = methods_of(stage);
+    const bool is_kind = std::ranges::find(methods, kind, &Method::kind) != methods.end();
     std::string choices;
-    for (const Method &method : methods_of(stage)) {
-        choices += (choices.empty() ? "" : ", ") + choice_of(method);
+    std::string before;
+    for (const Method &method : methods) {
+        if (!is_kind || method.kind == kind) {
+            const char *separator = choices.empty() ? "" : ", ";
+            choices += method.kind == before ? '|' + method.name : separator + choice_of(method);
+            before = method.kind;
+        }
     }
-    return choices.empty() ? fmt::format("none: {} has no methods", stage_name(stage))
-                           : "one of " + choices;
+    return choices;
 }
 
 Transfer transfer_of(const char *kind, int stage, const Methods &methods) {
@@ -74,7 +132,8 @@ std::string choice(const Methods &methods, const std::string &kind) {
 void choose_method(Methods &methods, const std::string &choice, int stage) {
     const auto chosen = std::ranges::find(all_methods(), choice, choice_of);
     if (chosen == all_methods().end()) {
-        throw UserError(fmt::format("--method {}: expected {}", choice, choices_of(stage)));
+        throw UserError(fmt::format("--method {}: expected {}", choice,
+                                    choices_of(choice.substr(0, choice.find('=')), stage)));
     }
     if (chosen->first_stage > stage) {
         throw UserError(fmt::format(
@@ -84,14 +143,14 @@ void choose_method(Methods &methods, const std::string &choice, int stage) {
     methods[chosen->kind] = chosen->name;
 }
 
-std::vector<std::string> defines_of(const Methods &methods) {
-    std::vector<std::string> defines;
+std::string options_of(const Methods &methods) {
+    std::string options;
     for (const Method &method : all_methods()) {
-        if (!method.define.empty() && choice(methods, method.kind) == method.name) {
-            defines.push_back(method.define);
+        if (!method.options.empty() && choice(methods, method.kind) == method.name) {
+            options += ' ' + method.options;
         }
     }
-    return defines;
+    return options;
 }
 
 Transfer decode_of(int stage, const Methods &methods) {

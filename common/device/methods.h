@@ -10,7 +10,11 @@
 
 namespace stagelight {
 
-// The first stage that decodes textures and encodes what it shows.
+// The first stage that has glass.
+constexpr int glass_stage = 4;
+// The first that has textures.
+constexpr int texture_stage = 6;
+// The first that decodes textures and encodes what it shows.
 constexpr int gamma_stage = 8;
 // The first that has a tree of boxes, and traces rays side by side.
 constexpr int acceleration_stage = 9;
@@ -19,7 +23,7 @@ struct Method {
     std::string kind;
     std::string name;
     int first_stage = 1;  // the number of the stage that teaches it
-    std::string define;   // what the kernels are built with; empty for the default, and the host's
+    std::string options;  // what kernels are built with; empty for the default, and the host's
     std::string source;   // where it comes from
 };
 
@@ -36,8 +40,8 @@ std::string choice(const Methods &methods, const std::string &kind);
 // stage that has the choice.
 void choose_method(Methods &methods, const std::string &choice, int stage);
 
-// The names to define for the chosen methods.
-std::vector<std::string> defines_of(const Methods &methods);
+// What kernels are built with for the chosen methods.
+std::string options_of(const Methods &methods);
 
 // The curve that texels are decoded with on load (kind "decode"), and the one that a picture is
 // encoded with where it is shown or stored in few bits ("encode"): none before stage 08.

@@ -27,8 +27,9 @@ int depth_of(const Scene &scene, int stage);
 // Name and value of what is not 0, in a fixed order.
 using SceneNeeds = std::vector<std::pair<std::string, int>>;
 
-// `stage` is the number of the stage that draws: 01 knows neither materials nor lights.
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth);
+// `stage` is the number of the stage that draws: 01 knows neither materials nor lights. Weak rays
+// fade where the stage has that, and unless they are `to_fade` not.
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, bool to_fade = true);
 
 // Whether any triangle's material has a texture.
 bool has_textured_mesh(const Scene &scene);

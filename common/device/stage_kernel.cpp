@@ -38,6 +38,12 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     return is_gpu || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
 }
 
+BvhLayout layout_of(const Methods &methods) {
+    return {.width = std::stoi(choice(methods, "nodes")),
+            .has_room = choice(methods, "box") == "robust",
+            .is_half = choice(methods, "storage") == "half"};
+}
+
 // Milliseconds of an action, which a terminal is told of where they are many.
 double timed(const char *what, const auto &action) {
     const Progress progress(what);
@@ -90,10 +96,7 @@ std::string build_options(const SceneNeeds &needs, const Methods &methods) {
     for (const auto &[name, value] : needs) {
         options += fmt::format(" -D {}={}", name, value);
     }
-    for (const std::string &define : defines_of(methods)) {
-        options += fmt::format(" -D {}=1", define);
-    }
-    return options;
+    return options + options_of(methods);
 }
 
 cl::Program build_program(const cl::Context &context, const std::string &source,
@@ -131,7 +134,8 @@ device::float2 sample_point(int index, int count) {
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
-    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth)),
+    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth,
+                                         choice(settings.methods, "depth") == "contribution")),
       samples_(settings.samples) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     const bool with_tree = stage_number(stage) >= acceleration_stage;
@@ -142,11 +146,11 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     if (with_tree) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
-        const int children = std::stoi(choice(settings.methods, "nodes"));
-        milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, children); });
+        const BvhLayout layout = layout_of(settings.methods);
+        milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, layout); });
     }
     if (!bvh.nodes.empty()) {
-        needs_.emplace_back("BVH_WIDTH", bvh.width);
+        needs_.emplace_back("BVH_WIDTH", bvh.layout.width);
         needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
     }
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";

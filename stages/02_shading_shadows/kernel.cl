@@ -3,6 +3,7 @@
 #include "camera.cl"
 #include "closest_hit.cl"
 #include "diffuse.cl"
+#include "origin.cl"  // new: where a shadow ray starts
 #include "picture.cl"
 #include "surface.cl"
 

@@ -60,17 +60,17 @@ TEST_F(Stage01Kernels, OnDiskChangeThePicture) {
 
 // The compiler's log counts lines as the file does, before and after an #include.
 TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
-    replace("kernels/camera.cl", "normalize(direction.xyz)", "normalise(direction.xyz)");
+    replace("kernels/camera.cl", "unit(direction.xyz)", "unite(direction.xyz)");
     const std::string text = [&] {
         std::ifstream in(folder.path() / "mine/kernels/camera.cl");
         return std::string{std::istreambuf_iterator<char>(in), {}};
     }();
     const auto line =
-        1 + std::count(text.begin(), text.begin() + long(text.find("normalise")), '\n');
+        1 + std::count(text.begin(), text.begin() + long(text.find("unite")), '\n');
     const Outcome outcome = refused();
     expect_part(outcome.err, "error: the kernel does not build:\n");
     expect_part(outcome.err, "kernels/camera.cl:" + std::to_string(line) + ":");
-    expect_part(outcome.err, "normalise");
+    expect_part(outcome.err, "unite");
 }
 
 TEST_F(Stage01Kernels, ThatLackAnArgumentAreTold) {

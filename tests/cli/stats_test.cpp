@@ -76,7 +76,7 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
                                                  {"planes", 32},
                                                  {"image", 32 * 20 * 16},
                                                  {"total", 7 * 32 + 32 + 32 * 20 * 16}}));
-    EXPECT_EQ(stats.at("methods"), json::object());
+    EXPECT_EQ(stats.at("methods"), json({{"math", "strict"}, {"normalise", "exact"}}));
     EXPECT_EQ(stats.at("rays"),
               json({{"primary", 32 * 20}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}));
     EXPECT_EQ(stats.at("dropped_rays"), 0);
@@ -119,7 +119,7 @@ TEST_F(Stage04Stats, CountRaysSamplesAndDroppedRays) {
         EXPECT_EQ(stats.at("bytes_on_device").at(picture), 32 * 20 * 16) << picture;
     }
     EXPECT_EQ(stats.at("max_depth"), 3);
-    EXPECT_EQ(stats.at("methods"), json({{"interior", "full"}}));
+    EXPECT_EQ(stats.at("methods").at("interior"), "full");
     EXPECT_EQ(stats.at("needs").at("MAX_DEPTH"), 3);
     EXPECT_EQ(stats.at("needs").at("STACK_SIZE"), 4);
     EXPECT_EQ(stats.at("rays").at("primary"), 2 * 32 * 20);
@@ -133,14 +133,14 @@ TEST_F(Stage04Stats, CountRaysSamplesAndDroppedRays) {
 
 TEST_F(Stage04Stats, NameTheMethod) {
     const json stats = this->stats("04_refraction_beer", {"--method", "interior=paper"});
-    EXPECT_EQ(stats.at("methods"), json({{"interior", "paper"}}));
+    EXPECT_EQ(stats.at("methods").at("interior"), "paper");
     expect_part(stats.at("build").at("options"), "-D METHOD_INTERIOR_PAPER=1");
 }
 
 TEST_F(Stage08Stats, NameTheCurves) {
     const json stats = this->stats("08_gamma", {"--method", "encode=2.2"});
-    EXPECT_EQ(stats.at("methods"),
-              json({{"interior", "full"}, {"decode", "srgb"}, {"encode", "2.2"}}));
+    EXPECT_EQ(stats.at("methods").at("decode"), "srgb");
+    EXPECT_EQ(stats.at("methods").at("encode"), "2.2");
 }
 
 }  // namespace

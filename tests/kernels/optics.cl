@@ -11,19 +11,11 @@ __kernel void refracted(__global float4 *results, __global const float4 *directi
     results[i] = (float4)(result, passes);
 }
 
-__kernel void schlicks(__global float *results, __global const float *cosines,
-                       __global const float *iors) {
-    const size_t i = get_global_id(0);
-    results[i] = schlick(cosines[i], iors[i]);
-}
-
-#if METHOD_FRESNEL_EXACT
 __kernel void fresnels(__global float *results, __global const float *cosines,
                        __global const float *iors) {
     const size_t i = get_global_id(0);
     results[i] = fresnel(cosines[i], iors[i]);
 }
-#endif
 
 __kernel void transmittances(__global float4 *results, __global const float4 *absorptions,
                              __global const float *distances) {
@@ -101,7 +93,7 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     surface.normal = normals[i].xyz;
     surface.geometric_normal = surface.normal;
     surface.from_behind = media[i].y > 0.0f;
-    surface.offset = 1e-5f * spheres[i].w;
+    surface.reach = 5.0f * spheres[i].w;
     DielectricMaterial glass;
     glass.absorption = absorptions[i];
     glass.ior = media[i].x;

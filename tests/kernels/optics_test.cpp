@@ -131,7 +131,7 @@ TEST_P(KernelsStage04Schlick, ReflectanceMatchesDouble) {
             float(i % 4 == 0 ? 1 - std::pow(10, dice.between(-7, 0)) : dice.between(0, 1)));
         iors.push_back(float(i % 16 == 0 ? 1 : std::pow(4, dice.between(-1, 1))));
     }
-    const auto shares = build("optics.cl", with_glass).run<float>("schlicks", cosines, iors);
+    const auto shares = build("optics.cl", with_glass).run<float>("fresnels", cosines, iors);
     Worst share("reflectance");
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const double expected = reference::schlick<double>(1, iors[i], cosines[i], cosines[i]);
@@ -146,7 +146,7 @@ TEST_P(KernelsStage04Schlick, NastyCosinesAreWhatTheClosedFormSays) {
     const std::vector<float> cosines{1, 1, 1, 0, 0, 1.0000001F, 0},
         iors{1.5F, 1, 4, 1.5F, 1, 1.5F, 1e18F};
     const std::vector<float> expected{0.04F, 0, 0.36F, 1, 1, 0.04F, 1};
-    const auto shares = build("optics.cl", with_glass).run<float>("schlicks", cosines, iors);
+    const auto shares = build("optics.cl", with_glass).run<float>("fresnels", cosines, iors);
     for (std::size_t i = 0; i < shares.size(); ++i) {
         EXPECT_FLOAT_EQ(shares[i], expected[i]) << "cosine " << cosines[i] << ", ior " << iors[i];
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The functions of stage 01: a sphere is its centre and radius, a plane its normal and offset.
 #include "camera.cl"
+#include "origin.cl"
 #include "plane.cl"
 #include "sphere.cl"
 
@@ -49,6 +50,6 @@ __kernel void origins_off(__global float4 *results, __global const float4 *origi
     Surface surface;
     surface.position = ray.origin + distances[i] * ray.direction;
     surface.geometric_normal = normals[i].xyz;
-    surface.offset = origin_offset(ray, distances[i]);
-    results[i] = (float4)(origin_off(&surface, ray.direction), surface.offset);
+    surface.reach = reach_of(ray, distances[i]);
+    results[i] = (float4)(origin_off(&surface, ray.direction), SCALED_OFFSET * surface.reach);
 }

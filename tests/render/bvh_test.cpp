@@ -38,7 +38,7 @@ protected:
         int waiting = 0;  // the most that can be
 
         std::uint32_t word(std::size_t node, std::size_t row, std::size_t child) const {
-            return bvh.nodes.at((node * 8 + row) * std::size_t(bvh.width) + child);
+            return bvh.nodes.at((node * 8 + row) * std::size_t(bvh.layout.width) + child);
         }
         float plane(std::size_t node, int axis, bool high, std::size_t child) const {
             return std::bit_cast<float>(word(node, std::size_t(axis + 3 * high), child));
@@ -51,7 +51,7 @@ protected:
             ++nodes;
             waiting = std::max(waiting, left);
             std::vector<std::size_t> inner;
-            for (std::size_t child = 0; child < std::size_t(bvh.width); ++child) {
+            for (std::size_t child = 0; child < std::size_t(bvh.layout.width); ++child) {
                 if (!is_there(node, child)) {
                     continue;
                 }
@@ -85,7 +85,7 @@ protected:
         }
         // The boxes of a node are in that of the child that it is.
         void expect_within(std::size_t below, std::size_t node, std::size_t of) const {
-            for (std::size_t child = 0; child < std::size_t(bvh.width); ++child) {
+            for (std::size_t child = 0; child < std::size_t(bvh.layout.width); ++child) {
                 for (int axis = 0; axis < 3 && is_there(below, child); ++axis) {
                     EXPECT_LE(plane(node, axis, false, of), plane(below, axis, false, child));
                     EXPECT_LE(plane(below, axis, true, child), plane(node, axis, true, of));
@@ -95,19 +95,19 @@ protected:
     };
 
     static Bvh expect_whole(const Scene &scene) {
-        Bvh bvh = build_bvh(scene, GetParam());
+        Bvh bvh = build_bvh(scene, {.width = GetParam()});
         Walk walk{scene, bvh};
         walk.into(0, 1);
         EXPECT_EQ(walk.met, std::vector<int>(scene.triangles.size(), 1));
         EXPECT_EQ(walk.waiting, bvh.stack_size);
-        EXPECT_EQ(walk.nodes * 8 * std::size_t(bvh.width), bvh.nodes.size());
+        EXPECT_EQ(walk.nodes * 8 * std::size_t(bvh.layout.width), bvh.nodes.size());
         return bvh;
     }
 };
 INSTANTIATE_TEST_SUITE_P(Nodes, Stage09Bvh, testing::Values(2, 4, 8));
 
 TEST_P(Stage09Bvh, OfNoTrianglesHasNoNodes) {
-    EXPECT_TRUE(build_bvh(soup(0, 1), GetParam()).nodes.empty());
+    EXPECT_TRUE(build_bvh(soup(0, 1), {.width = GetParam()}).nodes.empty());
 }
 
 TEST_P(Stage09Bvh, HoldsEveryTriangleOnce) {
@@ -151,9 +151,9 @@ TEST_P(Stage09Bvh, TakesCoordinatesNearTheLargest) {
 
 TEST_P(Stage09Bvh, IsTheSameEachTime) {
     const Scene scene = soup(20000, 0.05);
-    const Bvh first = build_bvh(scene, GetParam());
+    const Bvh first = build_bvh(scene, {.width = GetParam()});
     for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(build_bvh(scene, GetParam()).nodes, first.nodes);
+        EXPECT_EQ(build_bvh(scene, {.width = GetParam()}).nodes, first.nodes);
     }
 }
 
