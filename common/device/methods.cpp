@@ -132,7 +132,7 @@ std::string choice(const Methods &methods, const std::string &kind) {
 void choose_method(Methods &methods, const std::string &choice, int stage) {
     const auto chosen = std::ranges::find(all_methods(), choice, choice_of);
     if (chosen == all_methods().end()) {
-        throw UserError(fmt::format("--method {}: expected {}", choice,
+        throw UserError(fmt::format("--method {}: expected one of {}", choice,
                                     choices_of(choice.substr(0, choice.find('=')), stage)));
     }
     if (chosen->first_stage > stage) {

@@ -173,7 +173,9 @@ class Stage09Picture : public testing::TestWithParam<Walking> {
 protected:
     static Frame draw(const char *stage, const Scene &scene) {
         RenderSettings settings = settings_of(scene);
-        settings.methods = {{"width", GetParam().width}, {"nodes", GetParam().nodes}};
+        settings.methods = {{"width", GetParam().width},
+                            {"nodes", GetParam().nodes},
+                            {"triangle", "moeller_trumbore"}};  // stage 05's
         return Renderer(choose_device(GetParam().device), stage, scene, settings).render();
     }
     // Shadow rays and lines, and rays from wherever a mirror is.
