@@ -65,8 +65,7 @@ TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
         std::ifstream in(folder.path() / "mine/kernels/camera.cl");
         return std::string{std::istreambuf_iterator<char>(in), {}};
     }();
-    const auto line =
-        1 + std::count(text.begin(), text.begin() + long(text.find("unite")), '\n');
+    const auto line = 1 + std::count(text.begin(), text.begin() + long(text.find("unite")), '\n');
     const Outcome outcome = refused();
     expect_part(outcome.err, "error: the kernel does not build:\n");
     expect_part(outcome.err, "kernels/camera.cl:" + std::to_string(line) + ":");
