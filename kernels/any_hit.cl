@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 02; extended by 05 (triangles): whether anything is in the way. The first
 // thing found will do, so this is cheaper than the closest hit.
+#include "origin.cl"
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01; extended by 05 (triangles): what a ray hits first.
+#include "origin.cl"
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"

@@ -142,7 +142,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
         leaving.weight *= 1.0f - interface.reflectance;
         leaving.weight *= transmittance(glass->absorption.xyz, chord);
-        leaving.ray.origin = leave(surface, exit, -inward);
+        leaving.ray.origin = leave(exit, -inward, surface->offset);
     }
     if (leaves) {
         push_ray(stack, leaving, &counts->refraction, counts);

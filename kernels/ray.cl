@@ -42,22 +42,12 @@ typedef struct Surface {
     float3 geometric_normal;  // unit length
     bool from_behind;         // seen from inside a sphere or a mesh, or from under a plane
     int material;
-    float reach;              // the largest number that went into the position
-#if HAS_ORIGIN_ERROR
-    float3 error;  // how far rounding may have moved the position, along each axis
-#endif
+    float offset;  // how far off the surface a new ray starts
 #if HAS_TEXTURES
     float2 texture_coordinates;
 #endif
 } Surface;
 // #endregion hit
-
-// #region rounding
-// What `count` roundings in a row do to a number, at the most (Pharr, Jakob and Humphreys, Physically
-// Based Rendering, 3rd edition, section 3.9.1).
-#define ROUNDING 5.9604645e-8f
-#define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
-// #endregion rounding
 
 // #region unit
 // The vector's direction.

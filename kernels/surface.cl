@@ -20,10 +20,8 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
-#if HAS_ORIGIN_ERROR
-    surface->error = GAMMA(5.0f) * fabs(sphere.radius * surface->normal)
-                     + GAMMA(1.0f) * fabs(surface->position);
-#endif
+    surface->offset = error_along(surface->normal, surface->position,
+                                  (float3)(GAMMA(6.0f) * sphere.radius));
 #if HAS_TEXTURES
     surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
 #endif
@@ -36,9 +34,9 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->normal = plane.normal.xyz;
     surface->geometric_normal = plane.normal.xyz;
     surface->material = plane.material;
-#if HAS_ORIGIN_ERROR
-    surface->error = GAMMA(8.0f) * (fabs(ray.origin) + fabs(hit.distance * ray.direction));
-#endif
+    surface->offset =
+        error_along(surface->normal, surface->position,
+                    GAMMA(8.0f) * (fabs(ray.origin) + fabs(hit.distance * ray.direction)));
 #if HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);  // a plane has none
 #endif
@@ -84,7 +82,9 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         surface.normal = -surface.normal;
         surface.geometric_normal = -surface.geometric_normal;
     }
-    surface.reach = reach_of(ray, hit.distance);
+#if METHOD_ORIGIN_SCALED
+    surface.offset = scaled_offset(ray, hit.distance);
+#endif
     return surface;
 }
 // #endregion surface_at

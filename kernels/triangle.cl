@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 05: where rays and lines meet a triangle, and what is there.
+#include "origin.cl"
 #include "scene.cl"
 
 // #region triangle_edges
@@ -87,10 +88,11 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
                       + b * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[1])
                       + c * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[2]);
     surface->geometric_normal = cross(edges.b, edges.c);
-#if HAS_ORIGIN_ERROR
-    surface->error =
-        GAMMA(6.0f) * (fabs(edges.corner) + fabs(b * edges.b) + fabs(c * edges.c));
-#endif
+    // The sum is rounded by its parts; the next test of this triangle, by its extent.
+    const float3 extent = max(fabs(edges.b), fabs(edges.c));
+    surface->offset = error_along(surface->geometric_normal, surface->position,
+                                  GAMMA(6.0f) * (fabs(edges.corner) + extent)
+                                      + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
 #if HAS_MESH_TEXTURES
     surface->texture_coordinates = a * scene->vertex_texture_coordinates[triangle.vertices[0]]

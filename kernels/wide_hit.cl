@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 09: what WIDTH rays hit first, and whether anything is in their way. The tests
 // are those of sphere.cl and plane.cl, component by component: OpenCL C has no vectors of vectors.
+#include "origin.cl"
 #include "scene.cl"
 #include "wide.cl"
 #include "wide_sphere.cl"

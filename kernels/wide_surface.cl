@@ -10,10 +10,7 @@
 typedef struct SurfaceLanes {
     Lanes3 position, normal, geometric_normal;
     LanesInt from_behind;
-    Lanes reach;
-#if HAS_ORIGIN_ERROR
-    Lanes3 error;
-#endif
+    Lanes offset;
     int material[WIDTH];
 #if HAS_TEXTURES
     float2 texture_coordinates[WIDTH];
@@ -27,9 +24,7 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
     put_lane(&lanes->position, lane, surface->position);
     put_lane(&lanes->normal, lane, surface->normal);
     put_lane(&lanes->geometric_normal, lane, surface->geometric_normal);
-#if HAS_ORIGIN_ERROR
-    put_lane(&lanes->error, lane, surface->error);
-#endif
+    lanes->offset.lane[lane] = surface->offset;
     lanes->material[lane] = surface->material;
 #if HAS_TEXTURES
     lanes->texture_coordinates[lane] = surface->texture_coordinates;
@@ -49,9 +44,10 @@ static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *la
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
     surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
     surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
-    surfaces.reach = wide_reach_of(rays);
-#if HAS_ORIGIN_ERROR
-    surfaces.error = load_lanes(&lanes->error);
+#if METHOD_ORIGIN_SCALED
+    surfaces.offset = wide_scaled_offset(rays);
+#else
+    surfaces.offset = lanes->offset.wide;
 #endif
     return surfaces;
 }
@@ -61,7 +57,7 @@ static void store_surfaces(SurfaceLanes *lanes, const WideSurfaces *surfaces) {
     store_lanes(&lanes->normal, surfaces->normal);
     store_lanes(&lanes->geometric_normal, surfaces->geometric_normal);
     lanes->from_behind.wide = surfaces->from_behind;
-    lanes->reach.wide = surfaces->reach;
+    lanes->offset.wide = surfaces->offset;
 }
 
 static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
@@ -71,10 +67,7 @@ static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
     surface.geometric_normal = get_lane(&lanes->geometric_normal, lane);
     surface.from_behind = lanes->from_behind.lane[lane] != 0;
     surface.material = lanes->material[lane];
-    surface.reach = lanes->reach.lane[lane];
-#if HAS_ORIGIN_ERROR
-    surface.error = get_lane(&lanes->error, lane);
-#endif
+    surface.offset = lanes->offset.lane[lane];
 #if HAS_TEXTURES
     surface.texture_coordinates = lanes->texture_coordinates[lane];
 #endif

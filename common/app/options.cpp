@@ -82,11 +82,11 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
                    "picture to write, .png or .exr (linear float); with a window, its last one "
                    "(default: "
                        + default_out(stage).string() + ", where there is no window)");
-    app.add_option(
-           "--samples", options.samples,
-           "rays through each pixel; in a window they come one by one while nothing changes")
-        ->check(CLI::Range(1, most_samples))
-        ->capture_default_str();
+    CLI::Option *samples_option =
+        app.add_option("--samples", options.samples,
+                       "rays through each pixel; in a window they come one by one while nothing "
+                       "changes");
+    samples_option->check(CLI::Range(1, most_samples))->capture_default_str();
     app.add_option("--depth", options.depth, "bounces (default: the scene's)")
         ->check(CLI::Range(0, most_depth));
     app.add_option("--device", options.device,
@@ -116,6 +116,14 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("--method", methods,
                    "KIND=NAME, one way to do what can be done in several; 'list' lists them")
         ->take_all();
+    if (stage_number(stage) >= fading_stage) {
+        app.add_option(
+               "--max-error", options.max_error,
+               "choose the fastest methods and depth whose picture is off from the truth by "
+               "no more than this (RMSE in linear light); what --method says stays")
+            ->check(CLI::PositiveNumber)
+            ->excludes(samples_option);
+    }
     app.add_option("--kernels", options.kernels,
                    "read the kernels from DIR, which holds kernels/ and stages/");
     app.add_option("--stats", options.stats, "JSON file to write figures to");

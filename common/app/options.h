@@ -29,6 +29,7 @@ struct Options {
     bool split = false;  // figure 4 of the paper
     double scale = 1;    // the window's pixels for one of the picture's, each way
     Methods methods;
+    std::optional<double> max_error;  // RMSE in linear light: methods are chosen by it
     std::optional<std::filesystem::path> kernels;
     std::optional<std::filesystem::path> stats;
     std::optional<std::filesystem::path> export_pov;

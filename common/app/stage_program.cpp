@@ -10,6 +10,7 @@
 #include "app/show.h"
 #include "app/startup.h"
 #include "app/stats.h"
+#include "budget/budget.h"
 #include "device/device_choice.h"
 #include "device/renderer.h"
 #include "image/image_io.h"
@@ -54,8 +55,8 @@ void load_drivers() {
     all_devices();
 }
 
-int draw(const std::string &stage, const Options &options, const Scene &scene,
-         const RenderSettings &settings, const std::string &reason, Startup &startup) {
+void draw(const std::string &stage, const Options &options, const Scene &scene,
+          const RenderSettings &settings, const std::string &reason, Startup &startup) {
     const std::filesystem::path out = options.out.value_or(default_out(stage));
     const cl::Device device = choose_device(options.device);
     require_outputs(out, options);
@@ -91,7 +92,6 @@ int draw(const std::string &stage, const Options &options, const Scene &scene,
     figures.startup = startup;
     report(stage, device, renderer.stage_kernel(), settings, figures, options.stats);
     fmt::print("wrote {}\n", out.string());
-    return exit_done;
 }
 
 int export_scene(const std::string &stage, const Scene &scene, const RenderSettings &settings,
@@ -113,6 +113,23 @@ int export_scene(const std::string &stage, const Scene &scene, const RenderSetti
     return exit_done;
 }
 
+// Chooses methods and depth for --max-error, and says which. Whether it is met.
+bool choose_by_error(const std::string &stage, const Options &options, const Scene &scene,
+                     RenderSettings &settings) {
+    const Budget budget =
+        meet_budget(choose_device(options.device), stage, scene, settings, *options.max_error);
+    fmt::print("for --max-error {}: {}\npredicted error {:.2g}, measured {:.2g}\n",
+               *options.max_error, to_string(budget.plan, settings.max_depth), budget.plan.error,
+               budget.error);
+    if (!budget.is_met) {
+        fmt::print(stderr, "error: no methods meet --max-error {}; {:.2g} is the best reached\n",
+                   *options.max_error, budget.error);
+    }
+    settings.methods = budget.plan.methods;
+    settings.max_depth = budget.plan.max_depth;
+    return budget.is_met;
+}
+
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
     const std::future<void> drivers = std::async(std::launch::async, load_drivers);
@@ -121,23 +138,30 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
     for (const std::string &line : open_dielectric_meshes(scene)) {
         fmt::print(stderr, "warning: {}\n", line);
     }
-    const RenderSettings settings = settings_of(options, scene, stage_number(stage));
+    RenderSettings settings = settings_of(options, scene, stage_number(stage));
     if (options.export_pov) {
         return export_scene(stage, scene, settings, *options.export_pov);
     }
     startup.done("scene");
     drivers.wait();
+    int code = exit_done;
+    if (options.max_error) {
+        require_outputs(options.out.value_or(default_out(stage)), options);  // before the wait
+        code = choose_by_error(stage, options, scene, settings) ? exit_done : exit_check_failed;
+        startup.skip();
+    }
     std::string reason = "no window was asked for";
     if (options.display != Display::none) {
         const Shown shown = show(stage, options, scene, settings, startup);
         if (shown.done) {
-            return exit_done;
+            return code;
         }
         reason = shown.reason;
         fmt::print("display: none: {}\n", reason);
         startup.done("window");
     }
-    return draw(stage, options, scene, settings, reason, startup);
+    draw(stage, options, scene, settings, reason, startup);
+    return code;
 }
 
 }  // namespace

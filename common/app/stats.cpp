@@ -201,7 +201,7 @@ void report(const std::string &stage, const cl::Device &device, const StageKerne
     if (figures.rays.faded > 0) {
         fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
                    "{:.2g}\n",
-                   figures.rays.faded, faded_one_in, fading_error(figures));
+                   figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
     }
     const auto left = left_out(kernel.needs(), stage_number(stage));
     if (!left.empty()) {

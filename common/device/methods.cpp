@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "device/scene_needs.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 
@@ -34,12 +33,13 @@ const std::vector<Method> &all_methods() {
          "Kay and Kajiya 1986, by comparing"},
         {"box", "fminmax", acceleration_stage, "-D METHOD_BOX=fminmax",
          "Kay and Kajiya 1986, by fmin and fmax"},
-        {"origin", "scaled", 2, "", "off the surface by 2e-6 of the largest number in play"},
+        {"origin", "error_bound", 2, "",
+         "PBRT 3rd edition, section 3.9: by what rounding can have done to the position"},
+        {"origin", "scaled", 2, "-D METHOD_ORIGIN=scaled -D METHOD_ORIGIN_SCALED=1",
+         "off the surface by 2e-6 of the largest number in play"},
         {"origin", "fixed", 2, "-D METHOD_ORIGIN=fixed", "off the surface by 0.001"},
         {"origin", "integer", 2, "-D METHOD_ORIGIN=integer",
          "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
-        {"origin", "error_bound", 2, "-D METHOD_ORIGIN=error_bound -D HAS_ORIGIN_ERROR=1",
-         "Pharr, Jakob and Humphreys, PBRT 3rd edition, section 3.9"},
         {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
         {"fresnel", "exact", fading_stage, "-D METHOD_FRESNEL=exact",
          "Fresnel's equations, for light that is not polarised"},
@@ -74,6 +74,7 @@ const std::vector<Method> &all_methods() {
          "boxes, corners and normals in 16 bits a number"},
         {"depth", "contribution", fading_stage, "",
          "until a ray carries less than 1/4096 of a pixel"},
+        {"depth", "coarse", fading_stage, "", "until a ray carries less than 1/64 of a pixel"},
         {"depth", "fixed", fading_stage, "", "every ray, to the depth limit"},
         {"width", "device", acceleration_stage, "",
          "rays side by side in a work-item: 1 on a GPU, else the width that the device prefers"},
@@ -129,6 +130,30 @@ std::string choice(const Methods &methods, const std::string &kind) {
                                    : std::ranges::find(all_methods(), kind, &Method::kind)->name;
 }
 
+bool matters(const std::string &kind, const SceneNeeds &needs) {
+    const auto has = [&needs](const char *name) {
+        return std::ranges::find(needs, name, &SceneNeeds::value_type::first) != needs.end();
+    };
+    const bool glass = has("HAS_DIELECTRIC");
+    const bool bounces = glass || has("HAS_REFLECTION");
+    const std::map<std::string, bool> known = {
+        {"sphere", has("SPHERE_COUNT")},
+        {"triangle", has("TRIANGLE_COUNT")},
+        {"box", has("TRIANGLE_COUNT")},
+        {"storage", has("TRIANGLE_COUNT")},
+        {"nodes", has("TRIANGLE_COUNT")},
+        {"origin", has("LIGHT_COUNT") || bounces},
+        {"fresnel", glass},
+        {"interior", glass && has("SPHERE_COUNT")},
+        {"transmission", glass},
+        {"filtering", has("HAS_TEXTURES")},
+        {"decode", has("HAS_TEXTURES")},
+        {"depth", bounces},
+    };
+    const auto found = known.find(kind);
+    return found == known.end() || found->second;
+}
+
 void choose_method(Methods &methods, const std::string &choice, int stage) {
     const auto chosen = std::ranges::find(all_methods(), choice, choice_of);
     if (chosen == all_methods().end()) {
@@ -151,6 +176,11 @@ std::string options_of(const Methods &methods) {
         }
     }
     return options;
+}
+
+int fade_at_of(const Methods &methods) {
+    const std::string depth = choice(methods, "depth");
+    return depth == "fixed" ? 0 : depth == "coarse" ? 64 : faded_one_in;
 }
 
 Transfer decode_of(int stage, const Methods &methods) {

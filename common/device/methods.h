@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "device/scene_needs.h"
 #include "image/transfer.h"
 
 namespace stagelight {
@@ -40,8 +41,15 @@ std::string choice(const Methods &methods, const std::string &kind);
 // stage that has the choice.
 void choose_method(Methods &methods, const std::string &choice, int stage);
 
+// Whether a scene of those needs can tell the methods of a kind apart: one without glass has no use
+// for Fresnel.
+bool matters(const std::string &kind, const SceneNeeds &needs);
+
 // What kernels are built with for the chosen methods.
 std::string options_of(const Methods &methods);
+
+// Rays fade that carry less than one part in so many of a pixel; 0 for none (kind "depth").
+int fade_at_of(const Methods &methods);
 
 // The curve that texels are decoded with on load (kind "decode"), and the one that a picture is
 // encoded with where it is shown or stored in few bits ("encode"): none before stage 08.

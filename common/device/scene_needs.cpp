@@ -51,7 +51,7 @@ bool has_dielectric_mesh(const Scene &scene) {
         scene, [](const Material &material) { return material.type == MaterialType::dielectric; });
 }
 
-void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, bool to_fade) {
+void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int fade_at) {
     const std::set<int> used = used_materials(scene);
     const auto uses = [&](MaterialType type) {
         return std::ranges::any_of(used, [&](int index) {
@@ -74,8 +74,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, boo
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
-    const bool fades = to_fade && (reflection || dielectric);
-    needs.emplace_back("FADED_ONE_IN", fades ? faded_one_in : 0);
+    needs.emplace_back("FADED_ONE_IN", reflection || dielectric ? fade_at : 0);
     // Only where a ray splits in two is one left waiting, at each depth.
     needs.emplace_back("STACK_SIZE", dielectric ? max_depth + 1 : 1);
 }
@@ -106,13 +105,13 @@ int depth_of(const Scene &scene, int stage) {
     return depth;
 }
 
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, bool to_fade) {
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at) {
     SceneNeeds needs;
     needs.emplace_back("SPHERE_COUNT", static_cast<int>(scene.spheres.size()));
     needs.emplace_back("PLANE_COUNT", static_cast<int>(scene.planes.size()));
     needs.emplace_back("TRIANGLE_COUNT", static_cast<int>(scene.triangles.size()));
     if (stage > 1) {
-        add_shading_needs(needs, scene, max_depth, to_fade && stage >= fading_stage);
+        add_shading_needs(needs, scene, max_depth, stage >= fading_stage ? fade_at : 0);
     }
     std::erase_if(needs, [](const auto &need) {
         return need.second == 0 && need.first != "MAX_DEPTH";  // a limit, not a count

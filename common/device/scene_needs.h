@@ -27,9 +27,9 @@ int depth_of(const Scene &scene, int stage);
 // Name and value of what is not 0, in a fixed order.
 using SceneNeeds = std::vector<std::pair<std::string, int>>;
 
-// `stage` is the number of the stage that draws: 01 knows neither materials nor lights. Weak rays
-// fade where the stage has that, and unless they are `to_fade` not.
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, bool to_fade = true);
+// `stage` is the number of the stage that draws: 01 knows neither materials nor lights. Where the
+// stage has that, rays fade that carry less than one part in `fade_at` of a pixel; none does at 0.
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at = faded_one_in);
 
 // Whether any triangle's material has a texture.
 bool has_textured_mesh(const Scene &scene);

@@ -135,7 +135,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth,
-                                         choice(settings.methods, "depth") == "contribution")),
+                                         fade_at_of(settings.methods))),
       samples_(settings.samples) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     const bool with_tree = stage_number(stage) >= acceleration_stage;

@@ -93,7 +93,7 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     surface.normal = normals[i].xyz;
     surface.geometric_normal = surface.normal;
     surface.from_behind = media[i].y > 0.0f;
-    surface.reach = 5.0f * spheres[i].w;
+    surface.offset = 1e-5f * spheres[i].w;
     DielectricMaterial glass;
     glass.absorption = absorptions[i];
     glass.ior = media[i].x;

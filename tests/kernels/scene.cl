@@ -9,7 +9,7 @@
 
 typedef struct Found {
     float4 position;          // distance in w
-    float4 normal;            // reach in w
+    float4 normal;            // offset in w
     float4 geometric_normal;  // from_behind in w
     float2 texture_coordinates;
     int shape;
@@ -28,7 +28,7 @@ __kernel void closest(__global Found *results, __global const float4 *origins,
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
         found.position.xyz = surface.position;
-        found.normal = (float4)(surface.normal, surface.reach);
+        found.normal = (float4)(surface.normal, surface.offset);
         found.geometric_normal = (float4)(surface.geometric_normal, surface.from_behind);
         found.material = surface.material;
 #if HAS_TEXTURES

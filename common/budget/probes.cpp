@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "budget/probes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "budget/fingerprint.h"
+#include "budget/truth.h"
+#include "image/whole_file.h"
+#include "scene/errors.h"
+#include "scene/lessons.h"
+#include "scene/progress.h"
+
+namespace stagelight {
+namespace {
+
+constexpr int probe_width = 320;  // large enough for a frame to take longer than to start it
+constexpr int rounds = 7;
+constexpr std::array limits{0, 1, 2, 3, 4, 6, 8, 12};
+
+// What changes neither what is drawn nor by how much it is off, or only how the file is written.
+bool is_approximate(const std::string &kind) {
+    constexpr std::array others{"width", "nodes", "decode", "encode"};
+    return std::ranges::find(others, kind) == others.end();
+}
+
+RenderSettings small(RenderSettings settings) {
+    const int width = std::min(settings.width, probe_width);
+    settings.height = std::max(1, settings.height * width / settings.width);
+    settings.width = width;
+    return settings;
+}
+
+struct Variant {
+    Probe probe;
+    RenderSettings settings;
+};
+
+std::vector<Variant> variants_of(const std::string &stage, const Scene &scene,
+                                 const RenderSettings &settings, const RenderSettings &base) {
+    const int number = stage_number(stage);
+    const SceneNeeds needs = needs_of(scene, number, base.max_depth);
+    std::vector<Variant> variants;
+    for (const Method &method : methods_of(number)) {
+        if (is_approximate(method.kind) && matters(method.kind, needs)
+            && !settings.methods.contains(method.kind)
+            && method.name != choice(base.methods, method.kind)) {
+            variants.push_back({{method.kind, method.name}, base});
+            variants.back().settings.methods[method.kind] = method.name;
+        }
+    }
+    for (const int limit : limits) {
+        if (limit < base.max_depth && matters("depth", needs)) {
+            variants.push_back({{"limit", std::to_string(limit)}, base});
+            variants.back().settings.max_depth = limit;
+        }
+    }
+    return variants;
+}
+
+void measure(Variant &variant, const cl::Device &device, const std::string &stage,
+             const Scene &scene, Renderer &base, const Image &base_picture) {
+    Renderer renderer(device, stage, scene, variant.settings);
+    variant.probe.error = rmse_of(renderer.render().image, base_picture);
+    variant.probe.ratio = time_ratio(renderer, base, rounds);
+}
+
+Probes measure_all(const cl::Device &device, const std::string &stage, const Scene &scene,
+                   const RenderSettings &settings) {
+    RenderSettings base = small(settings);
+    base.methods.emplace("fresnel", "exact");  // unless the user chose
+    std::vector<Variant> variants = variants_of(stage, scene, settings, base);
+    Progress progress("probing methods", variants.size() + 1);
+    Probes probes{base.methods, 0, {}};
+    Renderer renderer(device, stage, scene, base);
+    const Image picture = renderer.render().image;
+    probes.base_error = rmse_of(picture, truth_of(stage, scene, base).image);
+    progress.step();
+    for (Variant &variant : variants) {
+        measure(variant, device, stage, scene, renderer, picture);
+        probes.probes.push_back(variant.probe);
+        progress.step();
+    }
+    return probes;
+}
+
+// Empty where the user has no such folder.
+std::filesystem::path cache_folder() {
+    const char *cache = std::getenv("XDG_CACHE_HOME");
+    const char *home = std::getenv("HOME");
+    if (cache != nullptr && *cache != '\0') {
+        return std::filesystem::path(cache) / "stagelight";
+    }
+    return home != nullptr ? std::filesystem::path(home) / ".cache" / "stagelight"
+                           : std::filesystem::path();
+}
+
+// Nothing where there is none, or what is there was not written by this program.
+std::optional<Probes> read_probes(const std::filesystem::path &file) {
+    std::ifstream in(file);
+    const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+    try {
+        Probes probes{json.at("base"), json.at("base_error"), {}};
+        for (const nlohmann::json &probe : json.at("probes")) {
+            probes.probes.push_back(
+                {probe.at("kind"), probe.at("name"), probe.at("ratio"), probe.at("error")});
+        }
+        return probes;
+    } catch (const nlohmann::json::exception &) {
+        return std::nullopt;
+    }
+}
+
+void write_probes(const Probes &probes, const std::filesystem::path &file) {
+    nlohmann::ordered_json json{{"base", probes.base}, {"base_error", probes.base_error}};
+    for (const Probe &probe : probes.probes) {
+        json["probes"].push_back({{"kind", probe.kind},
+                                  {"name", probe.name},
+                                  {"ratio", probe.ratio},
+                                  {"error", probe.error}});
+    }
+    const std::string text = json.dump(1);
+    std::error_code failed;
+    std::filesystem::create_directories(file.parent_path(), failed);
+    try {
+        write_whole(std::vector<unsigned char>(text.begin(), text.end()), file);
+    } catch (const UserError &) {
+        return;  // nobody asked for the file
+    }
+}
+
+}  // namespace
+
+double time_ratio(Renderer &one, Renderer &other, int rounds) {
+    std::vector<double> ratios;
+    for (int i = 0; i < rounds; ++i) {
+        const double of_other = other.render().milliseconds;
+        ratios.push_back(one.render().milliseconds / of_other);
+    }
+    const auto middle = ratios.begin() + rounds / 2;
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
+}
+
+Probes probe_methods(const cl::Device &device, const std::string &stage, const Scene &scene,
+                     const RenderSettings &settings) {
+    const std::filesystem::path folder = cache_folder();
+    const std::filesystem::path file =
+        folder / fmt::format("probes-{:016x}.json", fingerprint(device, stage, scene, settings));
+    if (const std::optional<Probes> known = read_probes(file)) {
+        return *known;
+    }
+    const Probes probes = measure_all(device, stage, scene, settings);
+    if (!folder.empty()) {
+        write_probes(probes, file);
+    }
+    return probes;
+}
+
+}  // namespace stagelight

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "budget/truth.h"
+
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "scene/lessons.h"
+#include "scene/progress.h"
+
+namespace stagelight {
+
+reference::Result truth_of(const std::string &stage, const Scene &scene,
+                           const RenderSettings &settings) {
+    const Progress progress("drawing the reference");
+    return reference::render<double>(scene, {.width = settings.width,
+                                             .height = settings.height,
+                                             .max_depth = settings.max_depth,
+                                             .fresnel = reference::Fresnel::exact,
+                                             .decode = decode_of(stage_number(stage), {})});
+}
+
+double rmse_of(const Image &picture, const Image &truth) {
+    double sum = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const glm::dvec3 error = glm::dvec3(picture.pixels[i]) - glm::dvec3(truth.pixels[i]);
+        sum += glm::dot(error, error);
+    }
+    const double mean = sum / (3 * static_cast<double>(truth.pixels.size()));
+    return std::isfinite(mean) ? std::sqrt(mean) : INFINITY;
+}
+
+}  // namespace stagelight
