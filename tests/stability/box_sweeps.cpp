@@ -54,20 +54,18 @@ struct Cases {
     }
 };
 
-// The share of the rays that do not enter the box alone, in a beam or in a packet.
+// The share of the rays that are said not to be in the box.
 void measure(Sweep &sweep, const std::string &series, bool has_room, DeviceProgram program,
              const Cases &cases) {
     std::vector<Node> nodes;
     for (const Corners &triangle : cases.triangles) {
         nodes.push_back(node_around(triangle, has_room));
     }
-    const std::vector<float> limits(nodes.size(), INFINITY);
-    const auto entered = program.run<vec4>("enter", cases.origins, cases.directions, nodes, limits);
+    const auto entered = program.run<int>("enter_all_ways", cases.origins, cases.directions, nodes);
     std::map<double, std::pair<double, double>> lost;
     for (std::size_t i = 0; i < entered.size(); ++i) {
-        const bool in_beam = (int(entered[i].z) & 1) != 0;
         auto &[count, all] = lost[cases.x[i]];
-        count += entered[i].x == 0 || !in_beam || entered[i].w == 0 ? 1 : 0;
+        count += entered[i] == 0 ? 1 : 0;
         all += 1;
     }
     for (const auto &[x, counts] : lost) {
@@ -95,14 +93,18 @@ protected:
     static void measure_all(Sweep &sweep, const Cases &cases) {
         for (const char *method : {"robust", "ordered", "fminmax"}) {
             measure(sweep, method, method == std::string("robust"),
-                    build("bvh.cl", with_tree(1), {{"box", method}}), cases);
+                    build("boxes.cl", with_tree(1), {{"box", method}}), cases);
         }
-        measure(sweep, "robust, width=4", true, build("bvh.cl", with_tree(4)), cases);
+        if (!on_rusticl()) {  // which takes three seconds to build it
+            measure(sweep, "robust, width=4", true, build("boxes.cl", with_tree(4)), cases);
+        }
     }
 
     static void expect_room_counts(Sweep &sweep, double last) {
         sweep.expect_holds("robust", last);
-        sweep.expect_holds("robust, width=4", last);
+        if (!on_rusticl()) {
+            sweep.expect_holds("robust, width=4", last);
+        }
         sweep.expect_fails("ordered", 1);
         sweep.expect_fails("fminmax", 1);
     }
@@ -110,11 +112,12 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Box, each_device(), device_name);
 
-// In a plane across an axis, so that its box is flat, with two sides along those of the box.
-Corners flat_triangle(double scale, const dvec3 &at, int axis, Dice &dice) {
+// Seen along the axis, two of its sides are those of the box; which is flat where there is no tilt.
+Corners right_triangle(const dvec3 &at, int axis, double tilt, Dice &dice) {
     Corners corners = {at, at, at};
     for (const int side : {1, 2}) {
-        corners[std::size_t(side)][(axis + side) % 3] += scale * dice.between(-1, 1);
+        corners[std::size_t(side)][(axis + side) % 3] += dice.between(-1, 1);
+        corners[std::size_t(side)][axis] += tilt * dice.between(-1, 1);
     }
     return placed(corners, 1, dvec3(0));
 }
@@ -135,7 +138,7 @@ TEST_P(StabilityStage09Box, FarFromTheOrigin) {
         for (int i = 0; i < 4096; ++i) {
             const dvec3 at = offset * dice.direction();
             const Corners corners =
-                i % 2 == 0 ? flat_triangle(1, at, i / 2 % 3, dice)
+                i % 2 == 0 ? right_triangle(at, i / 2 % 3, 0, dice)
                            : placed({dice.in_cube(1), dice.in_cube(1), dice.in_cube(1)}, 1, at);
             const dvec3 origin(vec3(at + 4.0 * dice.direction()));
             cases.add(offset, corners, origin,
@@ -158,7 +161,7 @@ TEST_P(StabilityStage09Box, NearlyAlongAnAxis) {
         const double little = power < 46 ? std::pow(10, -power) : 0;
         for (int i = 0; i < 4096; ++i) {
             const int axis = i % 3;
-            const Corners corners = flat_triangle(1, dice.in_cube(2), axis, dice);
+            const Corners corners = right_triangle(dice.in_cube(2), axis, i / 8 % 2, dice);
             dvec3 direction(0);
             direction[axis] = i % 2 == 0 ? 1 : -1;
             direction[(axis + 1) % 3] = i / 2 % 2 == 0 ? little : -little;

@@ -16,8 +16,6 @@ namespace {
 using glm::dvec3, glm::vec3;
 using render::each_device, render::device_name;
 
-const char *const methods[] = {"scaled", "fixed", "integer", "error_bound"};
-
 // By more than rounding does to shading: a shadow more or less.
 double wrong_pixels(const Image &picture, const reference::Result &truth) {
     double wrong = 0;
@@ -28,6 +26,8 @@ double wrong_pixels(const Image &picture, const reference::Result &truth) {
     }
     return wrong;
 }
+
+const char *const methods[] = {"scaled", "fixed", "integer", "error_bound"};
 
 class StabilityStage10Origin : public render::OnEachDevice {
 protected:
