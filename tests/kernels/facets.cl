@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays and triangles by each way to intersect them: one of each a work-item, and closed meshes of four
-// that rays are in, where every miss is a leak.
+// Rays and triangles by each way to intersect them: one of each a work-item, and closed meshes of
+// four that rays are in, where every miss is a leak.
 #include "wide_triangle.cl"
 
 // Of a packet of one ray the axis that it is longest along, as its walk has it; else each its own.
@@ -43,8 +43,8 @@ HIT(moeller_trumbore)
 HIT(threshold)
 HIT(baldwin_weber)
 
-// PCG: Jarzynski and Olano, Hash Functions for GPU Rendering (Journal of Computer Graphics Techniques,
-// 2020).
+// PCG: Jarzynski and Olano, Hash Functions for GPU Rendering (Journal of Computer Graphics
+// Techniques, 2020).
 static uint scrambled(const uint number) {
     const uint state = number * 747796405u + 2891336453u;
     const uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;

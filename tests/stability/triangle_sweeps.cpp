@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the ways to intersect a triangle lose it, and where rays slip through between two. The
-// truth is long double: float input is exact in it.
+// Where the ways to intersect a triangle lose it. The truth is long double: float input is exact in
+// it.
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "kernels/on_device.h"
