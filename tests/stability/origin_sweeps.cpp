@@ -52,16 +52,17 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Origin, each_device(), device_name);
 
-// A ball and a block stand on the floor; the walls and the roof of a shed, open to the front, are
-// thin. All is lit from the front and, but for the inside of the shed, from behind.
-Scene shed() {
+// A ball, and a block from low to high, stand on the floor; the walls and the roof of a shed, open
+// to the front, are thin. All is lit from the front and, but for the inside of the shed, from
+// behind.
+Scene shed(const dvec3 &block_low = {1, 0, 0}, const dvec3 &block_high = {1.6, 0.6, 0.6}) {
     Scene scene = render::one_pixel({0.2, 1.4, 4}, {0, 0.5, 0});
     scene.width = 64;
     scene.height = 40;
     const int white = reference::add_material(scene, reference::diffuse(dvec3(0.8)));
     reference::add_plane(scene, {0, 1, 0}, dvec3(0), reference::diffuse(dvec3(0.8)));
     reference::add_sphere(scene, {-1.2, 0.5, 0.5}, 0.5, reference::diffuse(dvec3(0.8)));
-    reference::add_box(scene, {1, 0, 0}, {1.6, 0.6, 0.6}, white);
+    reference::add_box(scene, block_low, block_high, white);
     const dvec3 low(-0.5, 0, -1.2), high(0.7, 1.2, 0);
     constexpr double thickness = 0.01;
     reference::add_box(scene, low, {low.x + thickness, high.y, high.z}, white);
@@ -111,7 +112,7 @@ TEST_P(StabilityStage10Origin, FarFromTheOrigin) {
     Sweep sweep(about("origin_offset", "Scenes far from the origin", "coordinates / size",
                       "to coordinates of 1e4 sizes"),
                 GetParam());
-    for (int power = 0; power <= 5; ++power) {
+    for (int power = 1; power <= 5; ++power) {
         const dvec3 offset = std::pow(10, power) * glm::normalize(dvec3(3, 2, -4));
         measure(sweep, std::pow(10, power), rounded(render::shifted(shed(), offset)));
     }
@@ -139,7 +140,7 @@ TEST_P(StabilityStage10Origin, LightCloseToTheFloor) {
     Sweep sweep(
         about("origin_low_light", "Lights close to the floor", "1 / height", "to a height of 1e-5"),
         GetParam());
-    for (int power = 0; power <= 6; ++power) {
+    for (int power = 1; power <= 6; ++power) {
         Scene scene = shed();
         const double height = std::pow(10, -power);
         for (Light &light : scene.lights) {
@@ -150,6 +151,22 @@ TEST_P(StabilityStage10Origin, LightCloseToTheFloor) {
     }
     sweep.expect_holds("scaled", 1e5);
     sweep.expect_fails("fixed", 1e3);
+}
+
+// From within the gap between the floor and a thin plate in front of the shed: it is dark there.
+TEST_P(StabilityStage10Origin, DarkGap) {
+    Sweep sweep(about("origin_gap", "Light through a thin plate", "1 / the gap below it",
+                      "to a gap of 1e-4"),
+                GetParam());
+    for (int power = 1; power <= 6; ++power) {
+        const double gap = std::pow(10, -power);
+        Scene scene = shed({-2, gap, 0.1}, {2, 1.1 * gap, 4.5});
+        scene.camera.position.y = gap / 2;
+        scene.camera.look_at.y = gap / 2;
+        measure(sweep, std::pow(10, power), rounded(scene));
+    }
+    sweep.expect_holds("scaled", 1e4);
+    sweep.expect_fails("fixed", 1e4);
 }
 
 }  // namespace
