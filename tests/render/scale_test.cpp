@@ -2,45 +2,12 @@
 // The same scene a thousand times smaller or larger, or far from the origin, is the same picture.
 #include "image/compare.h"
 #include "reference/reference.h"
+#include "render/moved.h"
 #include "render/on_each_device.h"
 #include "scene/scene_file.h"
 
 namespace stagelight::render {
 namespace {
-
-// Every point through `place`; all else by the factor that lengths are multiplied by.
-template <typename Place> Scene moved(Scene scene, double scale, Place place) {
-    const auto move = [&](dvec3 &point) { point = place(point); };
-    move(scene.camera.position);
-    move(scene.camera.look_at);
-    for (Sphere &sphere : scene.spheres) {
-        move(sphere.center);
-        sphere.radius *= scale;
-    }
-    for (Plane &plane : scene.planes) {
-        move(plane.point);
-    }
-    for (Vertex &vertex : scene.vertices) {
-        move(vertex.position);
-    }
-    for (Light &light : scene.lights) {
-        move(light.position);
-        light.range *= scale;
-        light.intensity *= light.type == LightType::point ? scale * scale : 1;
-    }
-    for (Material &material : scene.materials) {
-        material.absorption /= scale;
-    }
-    return scene;
-}
-
-Scene scaled(const Scene &scene, double scale) {
-    return moved(scene, scale, [scale](dvec3 point) { return scale * point; });
-}
-
-Scene shifted(const Scene &scene, dvec3 offset) {
-    return moved(scene, 1, [offset](dvec3 point) { return point + offset; });
-}
 
 class OfAnySize : public OnEachDevice {
 protected:

@@ -52,20 +52,31 @@ long double true_distance(const vec4 &origin, const vec4 &direction, const vec4 
     return distance > 0 ? distance / length : INFINITY;
 }
 
-// Every method's relative error of the distance; 1 where one hits and the other misses.
-void measure(Sweep &sweep, DeviceProgram program, const Cases &cases) {
+// Every method's worst error at each x, which is error(distance, truth, sphere) where both are
+// hits; else 1 where only one is.
+template <typename Error>
+void measure(Sweep &sweep, DeviceProgram program, const Cases &cases, Error error) {
     for (const char *method : methods) {
         const auto distances =
             program.run<float>(method, cases.origins, cases.directions, cases.spheres);
         for (std::size_t i = 0; i < distances.size(); ++i) {
             const long double truth =
                 true_distance(cases.origins[i], cases.directions[i], cases.spheres[i]);
-            const bool agree = std::isinf(distances[i]) == std::isinf(truth);
-            const double error =
-                std::isinf(truth) ? 0 : double(std::abs(distances[i] - truth) / truth);
-            sweep.add(method, cases.x[i], agree ? error : 1);
+            const bool hits = std::isfinite(distances[i]), should_hit = std::isfinite(truth);
+            sweep.add(method, cases.x[i],
+                      hits && should_hit   ? double(error(distances[i], truth, cases.spheres[i]))
+                      : hits == should_hit ? 0
+                                           : 1);
         }
     }
+}
+
+long double to_distance(float distance, long double truth, const vec4 & /*sphere*/) {
+    return std::abs(distance - truth) / truth;
+}
+
+long double to_radius(float distance, long double truth, const vec4 &sphere) {
+    return std::abs(distance - truth) / sphere.w;
 }
 
 TEST_P(StabilityStage09Sphere, FarAway) {
@@ -88,9 +99,138 @@ TEST_P(StabilityStage09Sphere, FarAway) {
                  .limit = 1e-5,
                  .stated = "to 10 million radii away"},
                 GetParam());
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases);
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
     sweep.expect_holds("haines", 1e7);
     sweep.expect_fails("textbook", 1e3);
+    sweep.expect_fails("geometric", 1e7);
+}
+
+// From one radius off the surface, a radius or so from the scene's origin.
+Cases of_size(double largest) {
+    Dice dice;
+    Cases cases;
+    for (int step = 0; step <= 14; ++step) {
+        const double radius = std::pow(largest, step / 14.0);
+        for (int i = 0; i < 256; ++i) {
+            const dvec3 center = radius * dice.in_cube(1);
+            const dvec3 target = center + 0.7 * radius * dice.direction();
+            cases.add(std::max(radius, 1 / radius), center + 2 * radius * dice.direction(), target,
+                      center, radius);
+        }
+    }
+    return cases;
+}
+
+TEST_P(StabilityStage09Sphere, Small) {
+    Sweep sweep({.name = "sphere_small",
+                 .kind = "sphere",
+                 .title = "Small spheres",
+                 .x_label = "1 / radius",
+                 .y_label = "relative error of the distance",
+                 .limit = 1e-5,
+                 .stated = "to a radius of 1e-6"},
+                GetParam());
+    const Cases cases = of_size(1e-6);
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    sweep.expect_holds("haines", cases.x.back());
+}
+
+TEST_P(StabilityStage09Sphere, Large) {
+    Sweep sweep({.name = "sphere_large",
+                 .kind = "sphere",
+                 .title = "Large spheres",
+                 .x_label = "radius",
+                 .y_label = "relative error of the distance",
+                 .limit = 1e-5,
+                 .stated = "to a radius of 1e7"},
+                GetParam());
+    const Cases cases = of_size(1e7);
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    sweep.expect_holds("haines", cases.x.back());
+}
+
+// From one unit off the surface, inwards at 60 degrees or less to the normal. The height comes
+// from the difference of two large squares, whose roundings grow as the radius over it.
+TEST_P(StabilityStage09Sphere, Ground) {
+    Dice dice;
+    Cases cases;
+    for (int step = 0; step <= 14; ++step) {
+        const double radius = std::pow(10, step / 2.0);
+        for (int i = 0; i < 256; ++i) {
+            const dvec3 down = dice.direction();
+            const dvec3 aside = glm::normalize(glm::cross(down, dice.direction()));
+            const double angle = dice.between(0, std::numbers::pi / 3);
+            cases.add(radius, {0, 0, 0}, std::cos(angle) * down + std::sin(angle) * aside,
+                      (1 + radius) * down, radius);
+        }
+    }
+    Sweep sweep({.name = "sphere_ground",
+                 .kind = "sphere",
+                 .title = "Spheres as the ground",
+                 .x_label = "radius / height over the surface",
+                 .y_label = "relative error of the distance",
+                 .limit = 1e-3,
+                 .stated = "to a radius of 1e4 heights"},
+                GetParam());
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    sweep.expect_holds("haines", 1e4);
+    sweep.expect_fails("haines", 1e5);
+}
+
+// From 30 radii away, past the sphere or into it by a small part of its radius.
+TEST_P(StabilityStage09Sphere, Tangent) {
+    Dice dice;
+    Cases cases;
+    for (int step = 2; step <= 16; ++step) {
+        const double part = std::pow(10, -step / 2.0);
+        for (int i = 0; i < 512; ++i) {
+            const dvec3 way = dice.direction();
+            const dvec3 aside = glm::normalize(glm::cross(way, dice.direction()));
+            const double impact = i % 2 == 0 ? 1 + part : 1 - part;
+            cases.add(std::pow(10, step / 2.0), {0, 0, 0}, 30.0 * way, 30.0 * way - impact * aside,
+                      1);
+        }
+    }
+    Sweep sweep({.name = "sphere_tangent",
+                 .kind = "sphere",
+                 .title = "Rays that graze a sphere",
+                 .x_label = "radius / distance from the tangent",
+                 .y_label = "1 where hit and miss are confused",
+                 .limit = 0.5,
+                 .stated = "to three millionths of the radius"},
+                GetParam());
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, [](auto...) { return 0; });
+    sweep.expect_holds("haines", std::pow(10, 5.5));
+    sweep.expect_fails("haines", 1e7);  // the distance to it has no such digits
+    sweep.expect_fails("textbook", 1e4);
+}
+
+// From just off the surface, on either side of it, inwards at 60 degrees or less to the normal.
+TEST_P(StabilityStage09Sphere, FromTheSurface) {
+    Dice dice;
+    Cases cases;
+    for (int step = 2; step <= 16; ++step) {
+        const double part = std::pow(10, -step / 2.0);
+        for (int i = 0; i < 512; ++i) {
+            const dvec3 out = dice.direction();
+            const dvec3 aside = glm::normalize(glm::cross(out, dice.direction()));
+            const double angle = dice.between(0, std::numbers::pi / 3);
+            const dvec3 origin = (i % 2 == 0 ? 1 + part : 1 - part) * out;
+            cases.add(std::pow(10, step / 2.0), origin,
+                      origin - std::cos(angle) * out + std::sin(angle) * aside, {0, 0, 0}, 1);
+        }
+    }
+    Sweep sweep({.name = "sphere_surface",
+                 .kind = "sphere",
+                 .title = "Rays that start near the surface",
+                 .x_label = "radius / height over the surface",
+                 .y_label = "error of the distance / radius",
+                 .limit = 1e-5,
+                 .stated = "to a millionth of the radius"},
+                GetParam());
+    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_radius);
+    sweep.expect_holds("haines", 1e6);
+    sweep.expect_fails("haines", 1e8);  // a float is 6e-8 from the next: on which side is it?
 }
 
 }  // namespace

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Where the ways to leave a surface show: rays that start too near to it are blocked by it (acne),
+// and those that start too far off are beyond what should have blocked them (leaks). Whole pictures
+// beside the reference in double, with pixels on edges left out.
+#include <algorithm>
+#include <cmath>
+
+#include "reference/reference.h"
+#include "render/moved.h"
+#include "render/on_each_device.h"
+#include "stability/sweep.h"
+
+namespace stagelight::stability {
+namespace {
+
+using glm::dvec3, glm::vec3;
+using render::each_device, render::device_name;
+
+// By more than rounding does to shading: a shadow more or less.
+double wrong_pixels(const Image &picture, const reference::Result &truth) {
+    double wrong = 0;
+    for (std::size_t i = 0; i < truth.edge.size(); ++i) {
+        const double error = glm::distance(picture.pixels[i], truth.image.pixels[i]);
+        const double allowed = 0.02 * std::max(1.0F, truth.image.pixels[i].x);
+        wrong += truth.edge[i] == 0 && !(error < allowed) ? 1 : 0;
+    }
+    return wrong;
+}
+
+const char *const methods[] = {"scaled", "fixed", "integer", "error_bound"};
+
+class StabilityStage10Origin : public render::OnEachDevice {
+protected:
+    // Rusticl, which takes seconds to build stage 10, shows the same of one ray at a time.
+    static const char *stage() {
+        return GetParam() == std::string("llvmpipe") ? "05_meshes" : "10_full_tracer";
+    }
+
+    // The share of the pixels off edges that each method has wrong.
+    static void measure(Sweep &sweep, double x, const Scene &scene) {
+        const auto truth =
+            reference::render<double>(scene, {scene.width, scene.height, scene.max_depth});
+        const auto inside = double(std::ranges::count(truth.edge, 0));
+        EXPECT_GT(inside, double(truth.edge.size()) / 3) << x;
+        for (const char *method : methods) {
+            RenderSettings settings = render::settings_of(scene);
+            settings.methods = {{"width", "1"}, {"origin", method}};
+            const Image picture = renderer(stage(), scene, settings).render().image;
+            sweep.add(method, x, wrong_pixels(picture, truth) / inside);
+        }
+    }
+};
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Origin, each_device(), device_name);
+
+// A ball, and a block from low to high, stand on the floor; the walls and the roof of a shed, open
+// to the front, are thin. All is lit from the front and, but for the inside of the shed, from
+// behind.
+Scene shed(const dvec3 &block_low = {0.8, 0, 0}, const dvec3 &block_high = {2.8, 0.3, 2}) {
+    Scene scene = render::one_pixel({0.2, 1.4, 4}, {0, 0.5, 0});
+    scene.width = 64;
+    scene.height = 40;
+    const int white = reference::add_material(scene, reference::diffuse(dvec3(0.8)));
+    reference::add_plane(scene, {0, 1, 0}, dvec3(0), reference::diffuse(dvec3(0.8)));
+    reference::add_sphere(scene, {-1.2, 0.5, 0.5}, 0.5, reference::diffuse(dvec3(0.8)));
+    reference::add_box(scene, block_low, block_high, white);
+    const dvec3 low(-0.5, 0, -1.2), high(0.7, 1.2, 0);
+    constexpr double thickness = 0.01;
+    reference::add_box(scene, low, {low.x + thickness, high.y, high.z}, white);
+    reference::add_box(scene, {high.x - thickness, low.y, low.z}, high, white);
+    reference::add_box(scene, low, {high.x, high.y, low.z + thickness}, white);
+    reference::add_box(scene, {low.x, high.y - thickness, low.z}, high, white);
+    reference::add_point_light(scene, {-1, 3, -4}, dvec3(1), 8);
+    reference::add_point_light(scene, {2, 2.5, 4}, dvec3(1), 8);
+    return scene;
+}
+
+// As float has it, so that the reference draws the same scene.
+Scene rounded(const Scene &scene) {
+    return render::moved(scene, 1, [](const dvec3 &point) { return dvec3(vec3(point)); });
+}
+
+Question about(const char *name, const char *title, const char *x_label, const char *stated) {
+    return {.name = name,
+            .kind = "origin",
+            .title = title,
+            .x_label = x_label,
+            .y_label = "share of pixels with a wrong shadow",
+            .limit = 1e-4,
+            .stated = stated};
+}
+
+TEST_P(StabilityStage10Origin, SmallScenes) {
+    Sweep sweep(about("origin_small", "Small scenes", "1 / size", "to a size of 1e-4"), GetParam());
+    for (int power = 0; power <= 4; ++power) {
+        measure(sweep, std::pow(10, power), rounded(render::scaled(shed(), std::pow(10, -power))));
+    }
+    sweep.expect_holds("scaled", 1e4);
+    sweep.expect_fails("fixed", 1e2);
+    sweep.expect_fails("integer", 1e4);
+}
+
+TEST_P(StabilityStage10Origin, LargeScenes) {
+    Sweep sweep(about("origin_large", "Large scenes", "size", "to a size of 1e6"), GetParam());
+    for (int power = 0; power <= 6; ++power) {
+        measure(sweep, std::pow(10, power), rounded(render::scaled(shed(), std::pow(10, power))));
+    }
+    sweep.expect_holds("scaled", 1e6);
+    sweep.expect_fails("fixed", 1e5);
+    sweep.expect_fails("integer", 1e4);
+}
+
+TEST_P(StabilityStage10Origin, FarFromTheOrigin) {
+    Sweep sweep(about("origin_offset", "Scenes far from the origin", "coordinates / size",
+                      "to coordinates of 1e4 sizes"),
+                GetParam());
+    for (int power = 1; power <= 5; ++power) {
+        const dvec3 offset = std::pow(10, power) * glm::normalize(dvec3(3, 2, -4));
+        measure(sweep, std::pow(10, power), rounded(render::shifted(shed(), offset)));
+    }
+    sweep.expect_holds("scaled", 1e4);
+    sweep.expect_fails("scaled", 1e5);  // as from far away: see below
+    sweep.expect_fails("fixed", 1e5);
+    sweep.expect_fails("integer", 1e5);
+}
+
+TEST_P(StabilityStage10Origin, CameraFarAway) {
+    Sweep sweep(about("origin_far", "Camera far away", "distance / size", "to 1e4 sizes away"),
+                GetParam());
+    for (int power = 1; power <= 5; ++power) {
+        Scene scene = shed();
+        const double distance = std::pow(10, power);
+        scene.camera.position = distance * glm::normalize(dvec3(0.05, 0.1, 1));
+        scene.camera.fov = glm::degrees(2 * std::atan(2.3 / distance));
+        measure(sweep, distance, rounded(scene));
+    }
+    sweep.expect_holds("scaled", 1e4);
+    sweep.expect_fails("scaled", 1e5);  // a fifth of the scene is much to be off a surface
+    sweep.expect_fails("integer", 1e4);
+}
+
+TEST_P(StabilityStage10Origin, LightCloseToTheFloor) {
+    Sweep sweep(
+        about("origin_low_light", "Lights close to the floor", "1 / height", "to a height of 1e-5"),
+        GetParam());
+    for (int power = 1; power <= 6; ++power) {
+        Scene scene = shed();
+        const double height = std::pow(10, -power);
+        for (Light &light : scene.lights) {
+            light.position.y = height;
+            light.intensity /= height;
+        }
+        measure(sweep, std::pow(10, power), rounded(scene));
+    }
+    sweep.expect_holds("scaled", 1e5);
+    sweep.expect_fails("fixed", 1e3);
+}
+
+// From within the gap between the floor and a thin plate: it is dark there. The tree is as deep as
+// the shed's with its block, so that the kernels are the same.
+TEST_P(StabilityStage10Origin, DarkGap) {
+    Sweep sweep(about("origin_gap", "Light through a thin plate", "1 / the gap below it",
+                      "to a gap of 1e-4"),
+                GetParam());
+    for (int power = 1; power <= 6; ++power) {
+        const double gap = std::pow(10, -power);
+        Scene scene = shed({-2, gap, 2}, {2, 1.1 * gap, 5});
+        scene.camera.position.y = gap / 2;
+        scene.camera.look_at.y = gap / 2;
+        measure(sweep, std::pow(10, power), rounded(scene));
+    }
+    sweep.expect_holds("scaled", 1e4);
+    sweep.expect_fails("fixed", 1e4);
+}
+
+}  // namespace
+}  // namespace stagelight::stability
