@@ -67,8 +67,6 @@ TEST_P(StabilityStage10Depth, MirrorsThatFaceEachOther) {
     }
     measure("fixed 64", "10_full_tracer", 64, {{"width", "1"}, {"depth", "fixed"}});
     measure("contribution", "10_full_tracer", 64, {{"width", "1"}});
-    // The share to the power of the depth and one more is lost, by either way; contribution ends
-    // rays sooner, and loses at most 1 / 4096 by it.
     sweep.expect_holds("fixed 8", 2);
     sweep.expect_fails("fixed 8", 3);
     sweep.expect_holds("fixed 16", 3);
