@@ -49,7 +49,7 @@ double rms_error(const Image &is, const Image &truth, int sphere) {
 
 TEST_P(StabilityStage04Interior, IndexByIndex) {
     const Scene scene = row_of_spheres();
-    const Image truth =
+    static const Image truth =  // for both devices
         reference::render<double>(scene, {scene.width, scene.height, scene.max_depth}).image;
     Sweep sweep({.name = "interior",
                  .kind = "interior",
