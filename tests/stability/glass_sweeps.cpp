@@ -183,8 +183,10 @@ TEST_P(StabilityStage10Fresnel, EqualIndicesReflectNothing) {
     equal.expect_fails("schlick", 10);  // (1 - cosine)^5, glass or not
 }
 
-// How far off the refracted direction is; 1 where one passes and the other does not.
-void measure_refraction(Sweep &sweep, DeviceProgram program, const Cases &cases) {
+// How far off the refracted direction is; 1 where one passes and the other does not, which is all
+// that counts for `decision`.
+void measure_refraction(Sweep &sweep, DeviceProgram program, const Cases &cases,
+                        Sweep *decision = nullptr) {
     const auto results =
         program.run<vec4>("refracted", cases.directions, cases.normals, cases.ratios);
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -192,6 +194,9 @@ void measure_refraction(Sweep &sweep, DeviceProgram program, const Cases &cases)
         const bool passes = results[i].w != 0;
         const double error = passes ? double(glm::distance(Exact(results[i]), truth.refracted)) : 0;
         sweep.add("snell", cases.x[i], passes == truth.passes ? error : 1);
+        if (decision != nullptr) {
+            decision->add("snell", cases.x[i], passes == truth.passes ? 0 : 1);
+        }
     }
 }
 
@@ -210,8 +215,18 @@ TEST_P(StabilityStage04Refraction, BendsAsSnellSays) {
     Sweep critical(refraction("refraction_critical", "At total reflection",
                               "1 / |sine - critical sine|", "to 1e-6 from the critical sine"),
                    GetParam());
-    measure_refraction(critical, program, by_critical_angle());
+    Sweep decision({.name = "refraction_decision",
+                    .kind = "refraction",
+                    .title = "Whether all is reflected",
+                    .x_label = "1 / |sine - critical sine|",
+                    .y_label = "1 where it is decided wrongly",
+                    .limit = 0.5,
+                    .stated = "to 2e-7 from the critical sine, three floats"},
+                   GetParam());
+    measure_refraction(critical, program, by_critical_angle(), &decision);
     critical.expect_holds("snell", 1e6);
+    decision.expect_holds("snell", std::pow(10, 6.75));
+    decision.expect_fails("snell", 1e8);
     Sweep grazing(refraction("refraction_grazing", "Grazing light", "1 / cosine", "any angle"),
                   GetParam());
     measure_refraction(grazing, program, by_angle({1.1, 1.33, 1.5, 2.4, 4}));
