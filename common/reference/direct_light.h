@@ -11,7 +11,9 @@ namespace stagelight::reference {
 template <typename Number>
 Shadow shadow(const World<Number> &world, const Hit<Number> &hit, const Light &light,
               const Arriving<Number> &arriving) {
-    if (glm::dot(hit.shading_normal, arriving.direction) <= 0 || largest(arriving.irradiance) == 0)
+    // Not a number where the light is at the very point: no light comes from there.
+    if (!(glm::dot(hit.shading_normal, arriving.direction) > 0)
+        || largest(arriving.irradiance) == 0)
         return Shadow::unlit;
     const Ray<Number> ray =
         ray_off_surface(hit.point, hit.geometric_normal, arriving.direction, hit.offset);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What rounding, and a compiler that was allowed more, makes of a few lines of arithmetic.
+#include "wide_sphere.cl"
+
+typedef struct Units {
+    float4 exact, native, wide_exact, wide_native;
+} Units;
+
+static float4 from_wide(const Wide3 a) {
+    return (float4)(a.x, a.y, a.z, 0.0f);
+}
+
+__kernel void units(__global Units *results, __global const float4 *vectors) {
+    const size_t i = get_global_id(0);
+    const float3 vector = vectors[i].xyz;
+    results[i].exact = (float4)(unit_exact(vector), 0.0f);
+    results[i].native = (float4)(unit_native(vector), 0.0f);
+    results[i].wide_exact = from_wide(wide_unit_exact(wide3(vector)));
+    results[i].wide_native = from_wide(wide_unit_native(wide3(vector)));
+}
+
+// The other side of a right triangle; `side` is never above `longest`.
+__kernel void other_sides(__global float *results, __global const float *longest,
+                          __global const float *side) {
+    const size_t i = get_global_id(0);
+    results[i] = sqrt(longest[i] * longest[i] - side[i] * side[i]);
+}
+
+__kernel void spheres(__global float *distances, __global const float4 *origins,
+                      __global const float4 *directions) {
+    const size_t i = get_global_id(0);
+    WideRays rays = no_rays();
+    rays.origin = wide3(origins[i].xyz);
+    rays.direction = wide3(directions[i].xyz);
+    rays.limit = INFINITY;
+    const Wide distance = wide_ray_sphere(&rays, (float3)(0.0f), 1.0f);
+    distances[i] = distance < rays.limit ? distance : -1.0f;
+}
+
+// The smaller and the larger of two numbers, and whether the first is one.
+__kernel void choices(__global float4 *results, __global const float *first,
+                      __global const float *second) {
+    const size_t i = get_global_id(0);
+    results[i] = (float4)(smaller(first[i], second[i]), larger(first[i], second[i]),
+                          isnan(first[i]) ? 0.0f : 1.0f, first[i] == first[i] ? 1.0f : 0.0f);
+}
