@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# chart_test.sh SOURCE_DIR CHART: the quick chart is whole, tells good methods from poor ones, and its pages
+# ask no other address for anything.
+set -euo pipefail
+
+source_dir=$1 chart=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+"$chart" --quick >said
+/usr/bin/python3 "$source_dir/tests/chart/plot.py" out/chart \
+    /usr/share/javascript/chart.js/chart.min.js >>said
+/usr/bin/python3 - <<'PYTHON'
+import json
+import pathlib
+import re
+
+folder = pathlib.Path("out/chart")
+report = json.loads((folder / "chart.json").read_text())
+assert report["device"]["name"]
+seen = set()
+for scene in report["scenes"]:
+    rmse = {}
+    for point in scene["points"]:
+        rmse[point["kind"], point["name"]] = point["rmse"]
+        assert point["ratio"] > 0, point
+        assert not point["default"] or point["ratio"] == 1, point
+        for file in (point["picture"], point["difference"]):
+            assert (folder / file).stat().st_size > 100, file
+    seen.update(rmse)
+    defaults = {p["kind"]: p for p in scene["points"] if p["default"]}
+    for (kind, name), error in rmse.items():
+        poor = (kind, name) in {("fresnel", "none"), ("interior", "paper"), ("transmission", "none"), ("origin", "fixed"),
+                                ("storage", "half"), ("decode", "2.2"), ("encode", "2.2"), ("depth", "coarse")}
+        sound = kind not in {"fresnel", "encode"} and not poor
+        assert not sound or error < 5e-4, (scene["name"], kind, name, error)
+        if poor and (scene["name"], kind) != ("08_gamma", "depth"):
+            assert error > 1.5 * defaults[kind]["rmse"] and error > 5e-4, (scene["name"], kind, name, error)
+    assert all(any(p["front"] for p in scene["points"] if p["kind"] == kind) for kind in defaults)
+kinds = {kind for kind, _ in seen}
+assert kinds >= {"sphere", "triangle", "box", "origin", "fresnel", "interior", "transmission", "filtering", "decode",
+                 "encode", "normalise", "math", "storage", "depth", "nodes"}, kinds
+for name in ["index", "chart"] + [scene["name"] for scene in report["scenes"]]:
+    for ending in ("svg", "png") if name != "index" else ("html",):
+        assert (folder / f"{name}.{ending}").stat().st_size > 1000, name
+for page in folder.glob("*.html"):
+    text = page.read_text()
+    assert not re.search(r"""(src|href)\s*=\s*["']?(https?:)?//""", text), page
+    assert "@DATA@" not in text and "@LIBRARY@" not in text
+PYTHON
