@@ -139,8 +139,9 @@ static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *
     for (int packet = 0; packet < PACKETS; ++packet) {
         const Wide3 background = wide_product(load_lanes(&incoming[packet].weight),
                                               wide3(scene->background.xyz));
-        colors[packet] =
-            wide_sum(colors[packet], masked(rays[packet].limit == INFINITY, background));
+        const WideInt misses =  // without a word of infinity, which relaxed math does not know
+            (hits[packet].shape == SHAPE_NONE) & (rays[packet].limit > 0.0f);
+        colors[packet] = wide_sum(colors[packet], masked(misses, background));
         lit[packet] = 0;
         if (any_lane(hits[packet].shape != SHAPE_NONE)) {
             shade_packet(scene, &rays[packet], &hits[packet], &incoming[packet], stacks[packet],

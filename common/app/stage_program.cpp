@@ -116,8 +116,10 @@ int export_scene(const std::string &stage, const Scene &scene, const RenderSetti
 // Chooses methods and depth for --max-error, and says which. Whether it is met.
 bool choose_by_error(const std::string &stage, const Options &options, const Scene &scene,
                      RenderSettings &settings) {
+    const cl::Device device = choose_device(options.device);
     const Budget budget =
-        meet_budget(choose_device(options.device), stage, scene, settings, *options.max_error);
+        meet_budget(device, stage, scene, settings, probe_methods(device, stage, scene, settings),
+                    *options.max_error);
     fmt::print("for --max-error {}: {}\npredicted error {:.2g}, measured {:.2g}\n",
                *options.max_error, to_string(budget.plan, settings.max_depth), budget.plan.error,
                budget.error);

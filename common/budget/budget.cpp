@@ -99,8 +99,7 @@ Plan cheapest_plan(const Probes &probes, int max_depth, double limit) {
 }
 
 Budget meet_budget(const cl::Device &device, const std::string &stage, const Scene &scene,
-                   const RenderSettings &settings, double max_error) {
-    const Probes probes = probe_methods(device, stage, scene, settings);
+                   const RenderSettings &settings, const Probes &probes, double max_error) {
     const Image truth = truth_of(stage, scene, settings).image;
     Budget best{.plan = {}, .error = INFINITY};
     double aim = max_error;

@@ -28,10 +28,10 @@ struct Budget {
 };
 
 // The cheapest plan whose picture, drawn as `settings` say otherwise, is off from truth_of by at
-// most `max_error`; where none is, the one that comes nearest. What `settings` choose themselves is
-// left.
+// most `max_error`; where none is, the one that comes nearest. The probes are of this scene and
+// device.
 Budget meet_budget(const cl::Device &device, const std::string &stage, const Scene &scene,
-                   const RenderSettings &settings, double max_error);
+                   const RenderSettings &settings, const Probes &probes, double max_error);
 
 // "fresnel=exact, limit=3", in a fixed order; "the defaults" for none.
 std::string to_string(const Plan &plan, int max_depth);

@@ -23,13 +23,6 @@ namespace {
 
 constexpr int probe_width = 320;  // large enough for a frame to take longer than to start it
 constexpr int rounds = 7;
-constexpr std::array limits{0, 1, 2, 3, 4, 6, 8, 12};
-
-// What changes neither what is drawn nor by how much it is off, or only how the file is written.
-bool is_approximate(const std::string &kind) {
-    constexpr std::array others{"width", "nodes", "decode", "encode"};
-    return std::ranges::find(others, kind) == others.end();
-}
 
 RenderSettings small(RenderSettings settings) {
     const int width = std::min(settings.width, probe_width);
@@ -56,8 +49,8 @@ std::vector<Variant> variants_of(const std::string &stage, const Scene &scene,
             variants.back().settings.methods[method.kind] = method.name;
         }
     }
-    for (const int limit : limits) {
-        if (limit < base.max_depth && matters("depth", needs)) {
+    if (matters("depth", needs)) {
+        for (const int limit : limits_below(base.max_depth)) {
             variants.push_back({{"limit", std::to_string(limit)}, base});
             variants.back().settings.max_depth = limit;
         }
@@ -137,6 +130,17 @@ void write_probes(const Probes &probes, const std::filesystem::path &file) {
 }
 
 }  // namespace
+
+bool is_approximate(const std::string &kind) {
+    constexpr std::array others{"width", "nodes", "decode", "encode"};
+    return std::ranges::find(others, kind) == others.end();
+}
+
+std::vector<int> limits_below(int max_depth) {
+    std::vector<int> limits{1, 2, 3, 4, 6, 8, 12};
+    std::erase_if(limits, [max_depth](int limit) { return limit >= max_depth; });
+    return limits;
+}
 
 double time_ratio(Renderer &one, Renderer &other, int rounds) {
     std::vector<double> ratios;

@@ -30,6 +30,13 @@ struct Probes {
 // be among them.
 double time_ratio(Renderer &one, Renderer &other, int rounds);
 
+// Whether methods of that kind trade error for time: the others change how many rays run side by
+// side, or what a file's values mean.
+bool is_approximate(const std::string &kind);
+
+// The depth limits below one that it may be worth to try.
+std::vector<int> limits_below(int max_depth);
+
 // Of every method that matters to the scene, but those of kinds that `settings` choose themselves.
 // Reads and writes the file of this scene, device and program below the user's cache folder; where
 // that can't be written they are measured anew each time.

@@ -70,6 +70,9 @@ public:
         chart_.width = defaults_.width;
         chart_.height = defaults_.height;
         default_picture_ = renderer_.render().image;
+        constexpr double a_second = 1000;
+        rounds_ = std::clamp(static_cast<int>(a_second / renderer_.render().milliseconds), 3,
+                             settings.rounds);
         std::filesystem::create_directories(settings_.folder / chart_.name);
     }
 
@@ -84,7 +87,7 @@ public:
             add_budgets();
         }
         std::vector<double> times;
-        for (int i = 0; i < settings_.rounds; ++i) {
+        for (int i = 0; i < rounds_; ++i) {
             times.push_back(renderer_.render().milliseconds);
         }
         chart_.milliseconds = median(times);
@@ -94,8 +97,8 @@ public:
 private:
     // A kernel that many lanes wide takes minutes to build where the device would have one.
     bool is_left_out(const Method &method) {
-        const std::string needs = renderer_.stage_kernel().options();
-        const bool scalar = needs.find("-D WIDTH=1 ") != std::string::npos;
+        const std::string options = renderer_.stage_kernel().options() + ' ';
+        const bool scalar = options.find("-D WIDTH=1 ") != std::string::npos;
         if (method.kind == "width" && scalar) {
             chart_.left_out.push_back(
                 {method.kind + '=' + method.name, "the device itself is one lane wide"});
@@ -122,7 +125,11 @@ private:
             try {
                 Renderer renderer(device_, stage(), scene_, with);
                 const Image picture = renderer.render().image;
-                add(method, picture, time_ratio(renderer, renderer_, settings_.rounds), false);
+                const double ratio = time_ratio(renderer, renderer_, rounds_);
+                add(method, picture, ratio, false);
+                if (is_approximate(method.kind)) {
+                    measured_.push_back({{method.kind, method.name, ratio}, picture});
+                }
             } catch (const MachineError &error) {
                 chart_.left_out.push_back({method.kind + '=' + method.name, error.what()});
             }
@@ -178,7 +185,7 @@ private:
             Image shown(truth_.image.width, truth_.image.height);
             Image shown_truth = shown;
             std::vector<double> times;
-            for (int i = 0; i < settings_.rounds; ++i) {
+            for (int i = 0; i < rounds_; ++i) {
                 const double start = now_milliseconds();
                 std::ranges::transform(
                     truth_.image.pixels, shown.pixels.begin(), [curve](const glm::vec3 &light) {
@@ -225,7 +232,7 @@ private:
             add({.kind = "samples",
                  .name = std::to_string(samples),
                  .is_default = samples == 1,
-                 .ratio = time_ratio(renderer, renderer_, settings_.rounds),
+                 .ratio = time_ratio(renderer, renderer_, rounds_),
                  .rmse = comparison.rmse,
                  .worst_interior = comparison.worst_interior,
                  .perceptual_failures = comparison.perceptual_failures,
@@ -235,9 +242,56 @@ private:
         }
     }
 
+    // As probe_methods has them, from what was drawn already; but with Fresnel's equations in the
+    // place of Schlick's, since they are the truth.
+    Probes probes() {
+        const auto exact = std::ranges::find_if(measured_, [](const Measured &measured) {
+            return measured.probe.kind == "fresnel" && measured.probe.name == "exact";
+        });
+        Probes probes;
+        const bool has_glass = exact != measured_.end();
+        const Image &base = has_glass ? exact->picture : default_picture_;
+        if (has_glass) {
+            probes.base = {{"fresnel", "exact"}};
+            probes.probes.push_back(
+                {"fresnel", "schlick", 1 / exact->probe.ratio, rmse_of(default_picture_, base)});
+        }
+        probes.base_error = rmse_of(base, truth_for("fresnel").image);
+        for (const Measured &measured : measured_) {
+            Probe probe = measured.probe;
+            const bool of_glass = probe.kind == "fresnel";
+            if (of_glass && probe.name == "exact") {
+                continue;
+            }
+            probe.error = rmse_of(measured.picture, of_glass ? base : default_picture_);
+            probe.ratio /= of_glass ? exact->probe.ratio : 1;
+            probes.probes.push_back(probe);
+        }
+        return probes;
+    }
+
+    void measure_limits() {
+        const SceneNeeds needs = needs_of(scene_, stage_number(stage()), defaults_.max_depth);
+        if (!matters("depth", needs)) {
+            return;
+        }
+        for (const int limit : limits_below(defaults_.max_depth)) {
+            RenderSettings with = defaults_;
+            with.max_depth = limit;
+            Renderer renderer(device_, stage(), scene_, with);
+            const Image picture = renderer.render().image;
+            measured_.push_back(
+                {{"limit", std::to_string(limit), time_ratio(renderer, renderer_, rounds_)},
+                 picture});
+        }
+    }
+
     void add_budgets() {
+        measure_limits();
+        const Probes known = probes();
         for (const double max_error : {1e-2, 1e-3, 1e-4}) {
-            const Budget budget = meet_budget(device_, stage(), scene_, defaults_, max_error);
+            const Budget budget =
+                meet_budget(device_, stage(), scene_, defaults_, known, max_error);
             RenderSettings with = defaults_;
             with.methods = budget.plan.methods;
             with.max_depth = budget.plan.max_depth;
@@ -245,18 +299,25 @@ private:
             renderer.render();
             chart_.budgets.push_back({max_error, to_string(budget.plan, defaults_.max_depth),
                                       budget.plan.error, budget.error, budget.is_met,
-                                      time_ratio(renderer, renderer_, settings_.rounds)});
+                                      time_ratio(renderer, renderer_, rounds_)});
         }
     }
+
+    struct Measured {
+        Probe probe;
+        Image picture;
+    };
 
     cl::Device device_;
     ChartSettings settings_;
     Scene scene_;
     RenderSettings defaults_;
+    int rounds_ = 3;
     reference::Result truth_;
     std::optional<reference::Result> exact_;
     Renderer renderer_;
     Image default_picture_;
+    std::vector<Measured> measured_;  // what --max-error may choose among
     SceneChart chart_;
 };
 
