@@ -29,6 +29,13 @@ def front_of(points):
     return sorted((p for p in points if p["front"]), key=lambda p: p["ratio"])
 
 
+def stands_apart(point, points):
+    """Whether it is far enough from the default of its kind to have its name beside it."""
+    default = next((p for p in points if p["default"]), points[0])
+    return (abs(math.log(point["ratio"] / default["ratio"])) > 0.05
+            or point["rmse"] > 1.3 * default["rmse"] + SMALLEST or default["rmse"] > 1.3 * point["rmse"] + SMALLEST)
+
+
 def draw_scene(axes, chart, kinds):
     """Time across, error up, a line through the front of each choice."""
     for index, kind in enumerate(kinds):
@@ -42,7 +49,7 @@ def draw_scene(axes, chart, kinds):
             at = (p["ratio"], max(p["rmse"], SMALLEST))
             axes.plot(*at, "D" if p["default"] else "o", color=color, markersize=6, markeredgecolor="black",
                       markeredgewidth=0.4, label=kind if p is points[0] else None)
-            if not p["default"]:
+            if stands_apart(p, points):
                 axes.annotate(f"{kind}={p['name']}", at, fontsize=5, xytext=(3, 2), textcoords="offset points")
     axes.set_xscale("log")
     axes.set_yscale("log")

@@ -108,6 +108,15 @@ private:
                || (method.kind == "width" && method.name == "device");  // said by its number
     }
 
+    bool is_default(const Method &method) {
+        if (method.kind != "width") {
+            return method.name == choice({}, method.kind);
+        }
+        const SceneNeeds &needs = renderer_.stage_kernel().needs();
+        const auto width = std::ranges::find(needs, "WIDTH", &SceneNeeds::value_type::first);
+        return method.name == std::to_string(width->second);
+    }
+
     void add_methods() {
         const int number = stage_number(stage());
         const SceneNeeds needs = needs_of(scene_, number, defaults_.max_depth);
@@ -116,7 +125,7 @@ private:
             if (!matters(method.kind, needs) || is_left_out(method)) {
                 continue;
             }
-            if (method.name == choice({}, method.kind)) {
+            if (is_default(method)) {
                 add(method, default_picture_, 1, true);
                 continue;
             }
