@@ -5,9 +5,11 @@
 #define STAGELIGHT_TRANSFER_CURVES_H
 
 #if defined(__cplusplus)
+#include <array>
 #include <cmath>
 #define TRANSFER inline
 namespace stagelight::transfer {
+using std::floor;
 using std::pow;
 #elif defined(__OPENCL_VERSION__)
 #define TRANSFER static
@@ -45,6 +47,33 @@ TRANSFER float power_decode(float value) {
     return pow(within_screen(value), 2.2f);
 }
 // #endregion power
+
+#if defined(__cplusplus) || defined(HAS_SRGB_TABLE)
+// #region table
+// The sRGB curve by straight lines between points of it, with no power to work out: off by less
+// than half a code, most in the dark. In GLSL `srgb_table` comes before this text
+// (srgb_table_in_glsl).
+#if defined(__cplusplus)
+inline const std::array<float, 257> srgb_table = [] {
+    std::array<float, 257> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        table[i] = srgb_encode(static_cast<float>(i) / 256);
+    }
+    return table;
+}();
+#define TABLE_INDEX(at) static_cast<std::size_t>(at)
+#else
+#define TABLE_INDEX(at) int(at)
+#endif
+
+TRANSFER float table_encode(float light) {
+    float at = 256.0f * within_screen(light);
+    float below = at < 255.0f ? floor(at) : 255.0f;
+    float low = srgb_table[TABLE_INDEX(below)];
+    return low + (at - below) * (srgb_table[TABLE_INDEX(below + 1.0f)] - low);
+}
+// #endregion table
+#endif
 
 #undef TRANSFER
 #if defined(__cplusplus)

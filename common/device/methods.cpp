@@ -61,6 +61,8 @@ const std::vector<Method> &all_methods() {
          "IEC 61966-2-1, a table of the 256 codes: texels are sRGB, as pictures mostly are"},
         {"decode", "2.2", gamma_stage, "", "the paper, section 8: texels are light to 1 / 2.2"},
         {"encode", "srgb", gamma_stage, "", "IEC 61966-2-1: the picture is for an sRGB screen"},
+        {"encode", "table", gamma_stage, "",
+         "IEC 61966-2-1, by straight lines between 257 points of its curve"},
         {"encode", "2.2", gamma_stage, "", "the paper, section 8: light to 1 / 2.2"},
         {"normalise", "exact", 1, "", "by 1 / sqrt"},
         {"normalise", "native", 1, "-D METHOD_NORMALISE=native", "by the device's native_rsqrt"},
@@ -113,7 +115,8 @@ Transfer transfer_of(const char *kind, int stage, const Methods &methods) {
     if (stage < gamma_stage) {
         return Transfer::none;
     }
-    return choice(methods, kind) == "2.2" ? Transfer::power : Transfer::srgb;
+    const std::string name = choice(methods, kind);
+    return name == "2.2" ? Transfer::power : name == "table" ? Transfer::table : Transfer::srgb;
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "display/screen.h"
 
+#include <fmt/format.h>
+
 #include "device/kernel_source.h"
 #include "display/gl.h"
 #include "image/split.h"
+#include "transfer_curves.h"
 
 namespace stagelight {
 namespace {
@@ -35,6 +38,9 @@ float encode(int curve, float light) {
     if (curve == 1) {
         return srgb_encode(light);
     }
+    if (curve == 3) {
+        return table_encode(light);
+    }
     return curve == 2 ? power_encode(light) : within_screen(light);
 }
 
@@ -56,11 +62,18 @@ void main() {
 }
 )";
 
-static_assert(int(Transfer::none) == 0 && int(Transfer::srgb) == 1 && int(Transfer::power) == 2);
+static_assert(int(Transfer::none) == 0 && int(Transfer::srgb) == 1 && int(Transfer::power) == 2
+              && int(Transfer::table) == 3);
+
+std::string srgb_table_in_glsl() {
+    const auto &table = transfer::srgb_table;
+    return fmt::format("#define HAS_SRGB_TABLE\nconst float srgb_table[{}] = float[]({:.9e});\n",
+                       table.size(), fmt::join(table, ", "));
+}
 
 std::string whole_fragment_shader() {
-    return "#version 330 core\n" + embedded_sources.at("kernels/transfer_curves.h")
-           + fragment_shader;
+    return "#version 330 core\n" + srgb_table_in_glsl()
+           + embedded_sources.at("kernels/transfer_curves.h") + fragment_shader;
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> encode_png(const std::vector<std::uint8_t> &rgb, int w
                  PNG_FILTER_TYPE_DEFAULT);
     // PNG, third edition, 11.3.2.2 and 11.3.2.5: the chunk sRGB, with the gAMA and cHRM that old
     // readers know, or gAMA alone.
-    if (curve == Transfer::srgb) {
+    if (curve == Transfer::srgb || curve == Transfer::table) {
         png_set_sRGB_gAMA_and_cHRM(writer.png, writer.info, PNG_sRGB_INTENT_ABSOLUTE);
     } else if (curve == Transfer::power) {
         png_set_gAMA(writer.png, writer.info, 1 / 2.2);

@@ -11,6 +11,8 @@ float encode(Transfer transfer, float light) {
         return transfer::srgb_encode(light);
     case Transfer::power:
         return transfer::power_encode(light);
+    case Transfer::table:
+        return transfer::table_encode(light);
     default:
         return transfer::within_screen(light);
     }
@@ -19,6 +21,7 @@ float encode(Transfer transfer, float light) {
 float decode(Transfer transfer, float value) {
     switch (transfer) {
     case Transfer::srgb:
+    case Transfer::table:
         return transfer::srgb_decode(value);
     case Transfer::power:
         return transfer::power_decode(value);

@@ -31,6 +31,7 @@ inline int wrapped(int index, int count) {
 template <typename Number> Number light_of(Transfer curve, Number value) {
     switch (curve) {
     case Transfer::srgb:
+    case Transfer::table:
         return value > Number(0.04045L)
                    ? std::pow((value + Number(0.055L)) / Number(1.055L), Number(2.4L))
                    : value / Number(12.92L);

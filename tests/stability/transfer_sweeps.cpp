@@ -57,6 +57,7 @@ TEST_P(StabilityStage08Transfer, CurvesInTheDark) {
         for (const float is : {of_light[i].z, encode(Transfer::power, light[i])}) {
             add(encoding, "2.2", 255 * is, true_code(light[i]));
         }
+        add(encoding, "table", 255 * encode(Transfer::table, light[i]), true_code(light[i]));
         for (const float is : {of_value[i].y, decode(Transfer::srgb, value[i])}) {
             add(decoding, "srgb", true_code(is), code);
         }
@@ -65,6 +66,7 @@ TEST_P(StabilityStage08Transfer, CurvesInTheDark) {
         }
     }
     encoding.expect_holds("srgb", 1e6);
+    encoding.expect_holds("table", 1e6);
     decoding.expect_holds("srgb", 1e6);
     encoding.expect_fails("2.2", 10);
     decoding.expect_fails("2.2", 10);
