@@ -125,6 +125,8 @@ def gallery_lines(program, scenes, docs):
 def main():
     results, program, scenes, docs = (pathlib.Path(argument) for argument in sys.argv[1:])
     sweeps = read_sweeps(results)
+    for old in [*docs.glob("*.svg"), *docs.glob("gallery_*.png")]:
+        old.unlink()
     lines = ["<!-- Written by ./stagelight stability from the figures of tests/stability: do not edit. -->",
              "# Where methods fail", "",
              "Each choice of the tracer has several methods (`--method list`). Here is, for each, the sweep that breaks "
