@@ -96,12 +96,12 @@ static SlabRays slab_rays(const WideRays *rays) {
 // Which rays are in the box of one child anywhere before `limit`.
 static WideInt enter_box(__global const BvhNode *node, const int child, const SlabRays *rays,
                          const Wide limit) {
-    const Wide low_x = fma((Wide)(LOAD_NUMBER(node->planes[0], child)), rays->x.inverse, rays->x.low);
-    const Wide low_y = fma((Wide)(LOAD_NUMBER(node->planes[1], child)), rays->y.inverse, rays->y.low);
-    const Wide low_z = fma((Wide)(LOAD_NUMBER(node->planes[2], child)), rays->z.inverse, rays->z.low);
-    const Wide high_x = fma((Wide)(LOAD_NUMBER(node->planes[3], child)), rays->x.inverse, rays->x.high);
-    const Wide high_y = fma((Wide)(LOAD_NUMBER(node->planes[4], child)), rays->y.inverse, rays->y.high);
-    const Wide high_z = fma((Wide)(LOAD_NUMBER(node->planes[5], child)), rays->z.inverse, rays->z.high);
+    const Wide low_x = FUSED((Wide)(LOAD_NUMBER(node->planes[0], child)), rays->x.inverse, rays->x.low);
+    const Wide low_y = FUSED((Wide)(LOAD_NUMBER(node->planes[1], child)), rays->y.inverse, rays->y.low);
+    const Wide low_z = FUSED((Wide)(LOAD_NUMBER(node->planes[2], child)), rays->z.inverse, rays->z.low);
+    const Wide high_x = FUSED((Wide)(LOAD_NUMBER(node->planes[3], child)), rays->x.inverse, rays->x.high);
+    const Wide high_y = FUSED((Wide)(LOAD_NUMBER(node->planes[4], child)), rays->y.inverse, rays->y.high);
+    const Wide high_z = FUSED((Wide)(LOAD_NUMBER(node->planes[5], child)), rays->z.inverse, rays->z.high);
     const Wide enter_xy = GREATER(LESSER(low_x, high_x), LESSER(low_y, high_y));
     const Wide leave_xy = LESSER(GREATER(low_x, high_x), GREATER(low_y, high_y));
     const Wide enter = GREATER(enter_xy, GREATER(LESSER(low_z, high_z), (Wide)(0.0f)));
@@ -245,7 +245,7 @@ static void narrow_beam(Beam *beam, const int packet) {
 // #region enter_boxes
 // Where a bound of the whole beam meets a plane of each box.
 static Boxes at_planes(const Boxes planes, const Bound all) {
-    return fma(planes, (Boxes)(get_packet(all.inverse, 0)), (Boxes)(get_packet(all.offset, 0)));
+    return FUSED(planes, (Boxes)(get_packet(all.inverse, 0)), (Boxes)(get_packet(all.offset, 0)));
 }
 
 // Which children's boxes the beam is in anywhere before `limit`, a bit for each, and where it enters
@@ -284,9 +284,9 @@ static int packets_in(__global const BvhNode *node, const int child, const Beam 
         const BeamAxis *axis = &beam->packets[i];
         const PerPacket near_plane = LOAD_NUMBER(node->planes[beam->near_row[i]], child);
         const PerPacket far_plane = LOAD_NUMBER(node->planes[beam->far_row[i]], child);
-        const PerPacket near = fma(near_plane, axis->enter.inverse, axis->enter.offset);
-        const PerPacket far = fma(far_plane, axis->leave.inverse, axis->leave.offset);
-        const PerPacket back = fma(far_plane, axis->enter_back.inverse, axis->enter_back.offset);
+        const PerPacket near = FUSED(near_plane, axis->enter.inverse, axis->enter.offset);
+        const PerPacket far = FUSED(far_plane, axis->leave.inverse, axis->leave.offset);
+        const PerPacket back = FUSED(far_plane, axis->enter_back.inverse, axis->enter_back.offset);
         enter = GREATER(near, enter);
         enter = GREATER(back, enter);
         leave = LESSER(far, leave);

@@ -9,6 +9,16 @@
 #define JOIN(a, b) JOIN_NAMES(a, b)
 // #endregion methods
 
+// #region fused
+// a * b + c, rounded once where the device does that in hardware: fma() in software takes many times as
+// long.
+#if HAS_FMA
+#define FUSED(a, b, c) fma(a, b, c)
+#else
+#define FUSED(a, b, c) ((a) * (b) + (c))
+#endif
+// #endregion fused
+
 // #region ray
 // Starts at its origin and never ends.
 typedef struct Ray {

@@ -241,9 +241,9 @@ static Wide3 masked(const WideInt mask, const Wide3 a) {
     return masked;
 }
 
-// by * a + b, rounded once.
-static Wide3 wide_fma(const Wide by, const Wide3 a, const Wide3 b) {
-    const Wide3 sum = {fma(by, a.x, b.x), fma(by, a.y, b.y), fma(by, a.z, b.z)};
+// by * a + b, fused.
+static Wide3 wide_fused(const Wide by, const Wide3 a, const Wide3 b) {
+    const Wide3 sum = {FUSED(by, a.x, b.x), FUSED(by, a.y, b.y), FUSED(by, a.z, b.z)};
     return sum;
 }
 

@@ -112,8 +112,8 @@ static TriangleRays triangle_rays(const WideRays *rays, const int axis) {
 static Wide3 seen_along(const TriangleRays *shared, __global const StoredNumber *corner) {
     const Wide z = LOAD_NUMBER(corner, shared->along) - shared->origin.z;
     const Wide3 seen = {
-        fma(z, shared->shear.x, LOAD_NUMBER(corner, shared->across) - shared->origin.x),
-        fma(z, shared->shear.y, LOAD_NUMBER(corner, shared->down) - shared->origin.y),
+        FUSED(z, shared->shear.x, LOAD_NUMBER(corner, shared->across) - shared->origin.x),
+        FUSED(z, shared->shear.y, LOAD_NUMBER(corner, shared->down) - shared->origin.y),
         z * shared->shear.z};
     return seen;
 }
@@ -147,7 +147,7 @@ static Wide wide_ray_triangle_woop(const WideRays *rays, const TriangleRays *sha
                                    const Scene *scene, const uint index, Wide *b, Wide *c) {
     Wide3 corners[3];
     see_corners(shared, rays, &scene->facets[index], corners);
-    // Not by fma, whose result would depend on the edge's direction.
+    // Not fused: the result would depend on the edge's direction.
     const Wide weight_a = corners[2].x * corners[1].y - corners[2].y * corners[1].x;
     const Wide weight_b = corners[0].x * corners[2].y - corners[0].y * corners[2].x;
     const Wide weight_c = corners[1].x * corners[0].y - corners[1].y * corners[0].x;

@@ -91,8 +91,12 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
     return totals;
 }
 
-std::string build_options(const SceneNeeds &needs, const Methods &methods) {
+std::string build_options(const cl::Device &device, const SceneNeeds &needs,
+                          const Methods &methods) {
     std::string options = language + " -cl-kernel-arg-info";
+    if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_FMA) {
+        options += " -D HAS_FMA=1";
+    }
     for (const auto &[name, value] : needs) {
         options += fmt::format(" -D {}={}", name, value);
     }
@@ -154,7 +158,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
     }
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
-    options_ = build_options(needs_, settings.methods) + (samples_ > 1 ? "" : writes);
+    options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
     milliseconds_.kernel = timed("building the kernel", [&] {
         kernel_ =

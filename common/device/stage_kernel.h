@@ -58,8 +58,10 @@ struct BuildTimes {
     double upload = 0;  // scene and textures, converted and copied
 };
 
-// -cl-std and the names that kernels/ are built with for a scene and its methods.
-std::string build_options(const SceneNeeds &needs, const Methods &methods);
+// -cl-std and the names that kernels/ are built with for a scene, its methods and what the device
+// has.
+std::string build_options(const cl::Device &device, const SceneNeeds &needs,
+                          const Methods &methods);
 
 // Builds `source`. Where it does not build, throws the log: as a KernelError if it was read
 // `from_disk` (the user's own work), else as a MachineError.

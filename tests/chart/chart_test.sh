@@ -34,7 +34,7 @@ for scene in report["scenes"]:
     for (kind, name), error in rmse.items():
         poor = (kind, name) in {("fresnel", "none"), ("interior", "paper"), ("transmission", "none"), ("origin", "fixed"),
                                 ("storage", "half"), ("decode", "2.2"), ("encode", "2.2"), ("depth", "coarse")}
-        sound = (kind, name) not in {("fresnel", "schlick"), ("encode", "srgb")} and not poor
+        sound = (kind, name) not in {("fresnel", "schlick"), ("encode", "srgb"), ("encode", "table")} and not poor
         assert not sound or error < 1e-3, (scene["name"], kind, name, error)
         if poor and (scene["name"], kind) != ("08_gamma", "depth"):
             assert error > 1.5 * defaults[kind]["rmse"] and error > 1e-3, (scene["name"], kind, name, error)

@@ -97,15 +97,17 @@ public:
 private:
     // A kernel that many lanes wide takes minutes to build where the device would have one.
     bool is_left_out(const Method &method) {
+        if (method.kind == "encode" || method.name == "device") {
+            return true;  // drawn by the host; said by its number
+        }
         const std::string options = renderer_.stage_kernel().options() + ' ';
         const bool scalar = options.find("-D WIDTH=1 ") != std::string::npos;
-        if (method.kind == "width" && scalar) {
+        if (method.kind == "width" && scalar && method.name != "1") {
             chart_.left_out.push_back(
                 {method.kind + '=' + method.name, "the device itself is one lane wide"});
             return true;
         }
-        return method.kind == "encode"
-               || (method.kind == "width" && method.name == "device");  // said by its number
+        return false;
     }
 
     bool is_default(const Method &method) {

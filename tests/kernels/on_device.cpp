@@ -9,7 +9,7 @@ DeviceProgram::DeviceProgram(const cl::Device &device, const std::string &file,
                              const SceneNeeds &needs, const Methods &methods, Transfer decode)
     : device_(device), context_(device_), queue_(context_, device_),
       program_(build_program(context_, kernel_source("tests/kernels/" + file),
-                             build_options(needs, methods))),
+                             build_options(device_, needs, methods))),
       decode_(decode) {}
 
 }  // namespace stagelight

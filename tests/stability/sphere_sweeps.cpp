@@ -97,10 +97,10 @@ TEST_P(StabilityStage09Sphere, FarAway) {
                  .x_label = "distance / radii",
                  .y_label = "relative error of the distance",
                  .limit = 1e-5,
-                 .stated = "to 10 million radii away"},
+                 .stated = "to 10 million radii away; to 1 million without a fused multiply-add"},
                 GetParam());
     measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
-    sweep.expect_holds("haines", 1e7);
+    sweep.expect_holds("haines", on_rusticl() ? 1e6 : 1e7);  // it has no fused multiply-add
     sweep.expect_fails("textbook", 1e3);
     sweep.expect_fails("geometric", 1e7);
 }
