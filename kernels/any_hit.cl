@@ -15,7 +15,7 @@ static bool any_hit_ray(const Scene *scene, const Ray ray) {
 #if SPHERE_COUNT > 0
     for (int i = 0; i < SPHERE_COUNT; ++i) {
         const Sphere sphere = scene->spheres[i];
-        if (intersect_ray_sphere(ray, sphere.center.xyz, sphere.radius) < INFINITY) {
+        if (intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius) < INFINITY) {
             return true;
         }
     }
@@ -23,7 +23,7 @@ static bool any_hit_ray(const Scene *scene, const Ray ray) {
 #if PLANE_COUNT > 0
     for (int i = 0; i < PLANE_COUNT; ++i) {
         const Plane plane = scene->planes[i];
-        if (intersect_ray_plane(ray, plane.normal.xyz, plane.offset) < INFINITY) {
+        if (intersect_ray_plane(ray, XYZ(plane.normal), plane.offset) < INFINITY) {
             return true;
         }
     }
@@ -45,7 +45,7 @@ static bool any_hit_line(const Scene *scene, const Line line) {
 #if SPHERE_COUNT > 0
     for (int i = 0; i < SPHERE_COUNT; ++i) {
         const Sphere sphere = scene->spheres[i];
-        if (intersect_line_sphere(line, sphere.center.xyz, sphere.radius)) {
+        if (intersect_line_sphere(line, XYZ(sphere.center), sphere.radius)) {
             return true;
         }
     }
@@ -53,7 +53,7 @@ static bool any_hit_line(const Scene *scene, const Line line) {
 #if PLANE_COUNT > 0
     for (int i = 0; i < PLANE_COUNT; ++i) {
         const Plane plane = scene->planes[i];
-        if (intersect_line_plane(line, plane.normal.xyz, plane.offset)) {
+        if (intersect_line_plane(line, XYZ(plane.normal), plane.offset)) {
             return true;
         }
     }

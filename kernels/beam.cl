@@ -8,20 +8,21 @@
 // The boxes of a node's children, tried at once.
 typedef JOIN(float, BVH_WIDTH) Boxes;
 #if STORAGE_IS_HALF
-#define LOAD_BOXES(row) JOIN(vload_half, BVH_WIDTH)(0, (__global const half *)(row))
+#define LOAD_BOXES(row) \
+    JOIN(TO_REAL, BVH_WIDTH)(JOIN(vload_half, BVH_WIDTH)(0, (__global const half *)(row)))
 #else
-#define LOAD_BOXES(row) JOIN(vload, BVH_WIDTH)(0, row)
+#define LOAD_BOXES(row) JOIN(TO_REAL, BVH_WIDTH)(JOIN(vload, BVH_WIDTH)(0, row))
 #endif
 #define STORE_BOXES(value, row) JOIN(vstore, BVH_WIDTH)(value, 0, row)
 
 // A bit for each that the mask is set for.
-static int bits_of_four(const int4 mask) {
-    const int4 bits = mask & (int4)(1, 2, 4, 8);
-    const int2 two = bits.lo | bits.hi;
+static int bits_of_four(const LaneInt4 mask) {
+    const LaneInt4 bits = mask & (LaneInt4)(1, 2, 4, 8);
+    const LaneInt2 two = bits.lo | bits.hi;
     return two.x | two.y;
 }
 
-static int bits_of(const JOIN(int, BVH_WIDTH) mask) {
+static int bits_of(const JOIN(LANE_INT, BVH_WIDTH) mask) {
 #if BVH_WIDTH == 8
     return bits_of_four(mask.lo) | bits_of_four(mask.hi) << 4;
 #elif BVH_WIDTH == 4

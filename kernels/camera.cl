@@ -4,9 +4,10 @@
 
 // #region camera_ray
 static Ray camera_ray(const Camera *camera, const int2 pixel) {
-    const float2 point = convert_float2(pixel) + camera->sample;
-    const float4 direction = camera->corner + point.x * camera->right + point.y * camera->down;
-    const Ray ray = {camera->position.xyz, unit(direction.xyz)};
+    const float2 point = JOIN(TO_REAL, 2)(pixel) + XY(camera->sample);
+    const float3 direction =
+        XYZ(camera->corner) + point.x * XYZ(camera->right) + point.y * XYZ(camera->down);
+    const Ray ray = {XYZ(camera->position), unit(direction)};
     return ray;
 }
 // #endregion camera_ray

@@ -24,14 +24,14 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
 #if SPHERE_COUNT > 0
     for (int i = 0; i < SPHERE_COUNT; ++i) {
         const Sphere sphere = scene->spheres[i];
-        keep_closer(&closest, intersect_ray_sphere(ray, sphere.center.xyz, sphere.radius),
+        keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);
     }
 #endif
 #if PLANE_COUNT > 0
     for (int i = 0; i < PLANE_COUNT; ++i) {
         const Plane plane = scene->planes[i];
-        keep_closer(&closest, intersect_ray_plane(ray, plane.normal.xyz, plane.offset), SHAPE_PLANE,
+        keep_closer(&closest, intersect_ray_plane(ray, XYZ(plane.normal), plane.offset), SHAPE_PLANE,
                     i);
     }
 #endif

@@ -35,7 +35,7 @@ static float3 transmittance_exact(const float3 absorption, const float distance)
 
 // As the device does it fastest: the error is the device's own.
 static float3 transmittance_native(const float3 absorption, const float distance) {
-    return native_exp(-absorption * distance);
+    return NATIVE_EXP(-absorption * distance);
 }
 
 static float3 transmittance_none(const float3 absorption, const float distance) {
@@ -98,7 +98,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
     const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
     PendingRay here = *incoming;
     if (surface->from_behind) {  // what is reflected in glass runs in it, even if the eye was there
-        here.absorption = glass->absorption.xyz;
+        here.absorption = XYZ(glass->absorption);
     }
     spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
@@ -107,7 +107,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;
-        refracted.absorption = surface->from_behind ? (float3)(0.0f) : glass->absorption.xyz;
+        refracted.absorption = surface->from_behind ? (float3)(0.0f) : XYZ(glass->absorption);
         push_ray(stack, refracted, &counts->refraction, counts);
     }
 }
@@ -141,7 +141,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         const float3 inward = unit(center - exit);
         leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
         leaving.weight *= 1.0f - interface.reflectance;
-        leaving.weight *= transmittance(glass->absorption.xyz, chord);
+        leaving.weight *= transmittance(XYZ(glass->absorption), chord);
         leaving.ray.origin = leave(exit, -inward, surface->offset);
     }
     if (leaves) {

@@ -12,19 +12,19 @@ typedef struct Illumination {
 // Inverse square falloff, windowed to end at the range without a step (Lagarde and de
 // Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 3.1.3).
 static Illumination point_light_at(const Light light, const float3 position) {
-    const float3 to_light = light.as.point.position.xyz - position;
+    const float3 to_light = XYZ(light.as.point.position) - position;
     const float distance = length(to_light);
     const float share = distance / light.as.point.range;
-    const float window = max(0.0f, 1.0f - share * share * share * share);
+    const float window = share < 1.0f ? 1.0f - share * share * share * share : 0.0f;
     const Illumination illumination = {to_light / distance,
-                                       light.color.xyz * (window * window / (distance * distance))};
+                                       XYZ(light.color) * (window * window / (distance * distance))};
     return illumination;
 }
 #endif
 
 #if HAS_DIRECTIONAL_LIGHT
 static Illumination directional_light_at(const Light light) {
-    const Illumination illumination = {-light.as.directional.direction.xyz, light.color.xyz};
+    const Illumination illumination = {-XYZ(light.as.directional.direction), XYZ(light.color)};
     return illumination;
 }
 #endif

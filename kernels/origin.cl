@@ -20,8 +20,13 @@ static float3 leave_error_bound(const float3 position, const float3 normal, cons
     return position + offset * normal;
 }
 
-// What `count` roundings in a row do to a number, at the most (section 3.9.1 there).
+// What `count` roundings in a row do to a number, at the most (section 3.9.1 there). The maps of Baldwin
+// and Weber were rounded to float on the host.
+#if METHOD_MATH_FP64 && !HAS_FACET_MAPS
+#define ROUNDING 1.1102230246251565e-16
+#else
 #define ROUNDING 5.9604645e-8f
+#endif
 #define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
 
 // Of a position that is off by up to `error` along each axis, itself to be rounded once more: how far off
@@ -64,8 +69,9 @@ static float3 leave_fixed(const float3 position, const float3 normal, const floa
 #define NEAR_ZERO_OFFSET (1.0f / 65536.0f)
 
 static float3 leave_integer(const float3 position, const float3 normal, const float offset) {
-    const int3 steps = convert_int3(INTEGER_STEPS * normal);
-    const float3 moved = as_float3(as_int3(position) + (position < 0.0f ? -steps : steps));
+    const JOIN(LANE_INT, 3) steps = JOIN(TO_LANE_INT, 3)(INTEGER_STEPS * normal);
+    const float3 moved = JOIN(AS_REAL, 3)(JOIN(AS_LANE_INT, 3)(position)
+                                          + (position < 0.0f ? -steps : steps));
     return fabs(position) < NEAR_ZERO ? position + NEAR_ZERO_OFFSET * normal : moved;
 }
 // #endregion leave_integer

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01: what is sent through the scene, and what comes back.
-#include "scene_types.h"
+#include "real.cl"
 
 // #region methods
 // What can be done in several ways has a function for each, of one signature; which of them is meant is
-// the host's choice (--method KIND=NAME), or else the name that is put down beside them.
-#define JOIN_NAMES(a, b) a##b
-#define JOIN(a, b) JOIN_NAMES(a, b)
+// the host's choice (--method KIND=NAME), or else the name that is put down beside them: both are joined
+// to its name, as in JOIN(unit_, METHOD_NORMALISE).
 // #endregion methods
 
 // #region fused
@@ -72,6 +71,6 @@ static float3 unit_exact(const float3 a) {
 
 // As the device does it fastest: the error is the device's own.
 static float3 unit_native(const float3 a) {
-    return native_rsqrt(dot(a, a)) * a;
+    return NATIVE_RSQRT(dot(a, a)) * a;
 }
 // #endregion unit

@@ -11,14 +11,14 @@
 #if STORAGE_IS_HALF
 typedef HalfFacet StoredFacet;
 typedef half StoredNormal;
-#define LOAD_NORMAL(normals, index) vload_half4(index, normals).xyz
-#define LOAD_COORDINATES(corner) vload_half3(0, (__global const half *)(corner))
+#define LOAD_NORMAL(normals, index) XYZ(vload_half4(index, normals))
+#define LOAD_COORDINATES(corner) XYZ(vload_half3(0, (__global const half *)(corner)))
 #define LOAD_NUMBER(numbers, index) vload_half(index, (__global const half *)(numbers))
 #else
 typedef Facet StoredFacet;
-typedef float4 StoredNormal;
-#define LOAD_NORMAL(normals, index) (normals)[index].xyz
-#define LOAD_COORDINATES(corner) vload3(0, corner)
+typedef Single4 StoredNormal;
+#define LOAD_NORMAL(normals, index) XYZ((normals)[index])
+#define LOAD_COORDINATES(corner) XYZ(vload3(0, corner))
 #define LOAD_NUMBER(numbers, index) (numbers)[index]
 #endif
 // #endregion storage
@@ -68,13 +68,13 @@ typedef float4 StoredNormal;
     FIELD(__global const BvhNode *, bvh_nodes)  \
     FACET_MAP_FIELDS(FIELD)
 #elif TRIANGLE_COUNT > 0
-#define CORNER_FIELDS(FIELD) FIELD(__global const float4 *, vertex_positions)
+#define CORNER_FIELDS(FIELD) FIELD(__global const Single4 *, vertex_positions)
 #else
 #define CORNER_FIELDS(FIELD)
 #endif
 
 #if HAS_MESH_TEXTURES
-#define MESH_TEXTURE_FIELDS(FIELD) FIELD(__global const float2 *, vertex_texture_coordinates)
+#define MESH_TEXTURE_FIELDS(FIELD) FIELD(__global const Single2 *, vertex_texture_coordinates)
 #else
 #define MESH_TEXTURE_FIELDS(FIELD)
 #endif
@@ -106,11 +106,11 @@ typedef float4 StoredNormal;
 #define AS_ARGUMENT(type, name) , name
 
 typedef struct Scene {
-    float4 background;
+    Single4 background;
     SCENE_FIELDS(AS_MEMBER)
 } Scene;
 
-#define SCENE_PARAMETERS const float4 background SCENE_FIELDS(AS_PARAMETER) TEXTURE_PARAMETER
+#define SCENE_PARAMETERS const Single4 background SCENE_FIELDS(AS_PARAMETER) TEXTURE_PARAMETER
 #define SCENE_ARGUMENTS \
     { background SCENE_FIELDS(AS_ARGUMENT) }
 // #endregion scene

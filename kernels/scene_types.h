@@ -9,12 +9,17 @@
 #if !METHOD_MATH_MAD
 #pragma OPENCL FP_CONTRACT OFF
 #endif
+#if METHOD_MATH_FP64
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
 #else
 #include <cstddef>
 
 #include <CL/cl_platform.h>
 
 namespace stagelight::device {
+using double2 = cl_double2;
+using double4 = cl_double4;
 using float2 = cl_float2;
 using float4 = cl_float4;
 using int2 = cl_int2;
@@ -32,6 +37,19 @@ typedef struct Camera {
     float2 sample;  // the point of a pixel that is sampled, in [0, 1)
     int2 size;      // the picture's, pixels
 } Camera;
+
+// The same where the kernel calculates in double: a direction that was rounded on its way would be
+// off by as much as float is.
+#if !defined(__OPENCL_VERSION__) || METHOD_MATH_FP64
+typedef struct DoubleCamera {
+    double4 position;
+    double4 corner;
+    double4 right;
+    double4 down;
+    double2 sample;
+    int2 size;
+} DoubleCamera;
+#endif
 // #endregion camera
 
 typedef enum MaterialType {
@@ -164,6 +182,8 @@ typedef struct RayCounts {
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64
               && offsetof(Camera, size) == 72);
+static_assert(sizeof(DoubleCamera) == 160 && offsetof(DoubleCamera, sample) == 128
+              && offsetof(DoubleCamera, size) == 144);
 static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16
               && offsetof(Material, texture_size) == 48 && offsetof(Material, texture) == 56
               && offsetof(Material, type) == 60 && offsetof(DielectricMaterial, ior) == 16);

@@ -43,7 +43,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
                   const Surface *surface, float3 *direct_weight, RayStack *stack,
                   RayCounts *counts TEXTURE_PARAMETER) {
     const Material material = scene->materials[surface->material];
-    float3 weight = incoming->weight * material.color.xyz;
+    float3 weight = incoming->weight * XYZ(material.color);
 #if HAS_TEXTURES
     weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
 #endif
@@ -53,7 +53,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
         const DielectricMaterial glass = material.as.dielectric;
 #if METHOD_INTERIOR_PAPER && SPHERE_COUNT > 0
         if (hit.shape == SHAPE_SPHERE) {
-            const float3 center = scene->spheres[hit.index].center.xyz;
+            const float3 center = XYZ(scene->spheres[hit.index].center);
             spawn_through_sphere(stack, incoming, surface, &glass, center, weight, counts);
             return false;
         }

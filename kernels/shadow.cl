@@ -9,12 +9,12 @@
 static bool in_shadow(const Scene *scene, const Light light, const float3 origin) {
 #if HAS_POINT_LIGHT
     if (light.type == LIGHT_POINT) {
-        const Line line = {origin, light.as.point.position.xyz};
+        const Line line = {origin, XYZ(light.as.point.position)};
         return any_hit_line(scene, line);
     }
 #endif
 #if HAS_DIRECTIONAL_LIGHT
-    const Ray ray = {origin, -light.as.directional.direction.xyz};
+    const Ray ray = {origin, -XYZ(light.as.directional.direction)};
     return any_hit_ray(scene, ray);
 #else
     return false;

@@ -14,7 +14,7 @@
 #if SPHERE_COUNT > 0
 // The hit point is put back onto the sphere: far away, the distance alone would miss it.
 static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
-    const float3 center = sphere.center.xyz;
+    const float3 center = XYZ(sphere.center);
     const float3 position = ray.origin + hit.distance * ray.direction;
     surface->normal = unit(position - center);
     surface->geometric_normal = surface->normal;
@@ -31,8 +31,8 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
 #if PLANE_COUNT > 0
 static void plane_surface(Surface *surface, const Plane plane, const Ray ray, const Hit hit) {
     surface->position = ray.origin + hit.distance * ray.direction;
-    surface->normal = plane.normal.xyz;
-    surface->geometric_normal = plane.normal.xyz;
+    surface->normal = XYZ(plane.normal);
+    surface->geometric_normal = XYZ(plane.normal);
     surface->material = plane.material;
     surface->offset =
         error_along(surface->normal, surface->position,

@@ -17,7 +17,7 @@ __constant sampler_t texel_sampler =
 #define filtered JOIN(filtered_, METHOD_FILTERING)
 
 static float3 filtered_sampler(const float2 texel, const float layer TEXTURE_PARAMETER) {
-    return read_imagef(textures, texel_sampler, (float4)(texel, layer, 0.0f)).xyz;
+    return XYZ(read_imagef(textures, texel_sampler, convert_float4((float4)(texel, layer, 0.0f))));
 }
 
 // In float, whatever precision the device's filter has: OpenCL asks for no more than 8 bits of its
@@ -25,16 +25,21 @@ static float3 filtered_sampler(const float2 texel, const float layer TEXTURE_PAR
 __constant sampler_t nearest_sampler =
     CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
 
+static float3 nearest_texel(const float2 place, const float layer TEXTURE_PARAMETER) {
+    return XYZ(
+        read_imagef(textures, nearest_sampler, convert_float4((float4)(place, layer, 0.0f))));
+}
+
 static float3 filtered_hand(const float2 texel, const float layer TEXTURE_PARAMETER) {
     const float2 low = floor(texel - 0.5f);
     const float2 share = texel - 0.5f - low;
     const float2 near = low + 0.5f;
     const float2 far = near + 1.0f;
-    const float4 a = read_imagef(textures, nearest_sampler, (float4)(near, layer, 0.0f));
-    const float4 b = read_imagef(textures, nearest_sampler, (float4)(far.x, near.y, layer, 0.0f));
-    const float4 c = read_imagef(textures, nearest_sampler, (float4)(near.x, far.y, layer, 0.0f));
-    const float4 d = read_imagef(textures, nearest_sampler, (float4)(far, layer, 0.0f));
-    return mix(mix(a, b, share.x), mix(c, d, share.x), share.y).xyz;
+    const float3 a = nearest_texel(near, layer TEXTURE_ARGUMENT);
+    const float3 b = nearest_texel((float2)(far.x, near.y), layer TEXTURE_ARGUMENT);
+    const float3 c = nearest_texel((float2)(near.x, far.y), layer TEXTURE_ARGUMENT);
+    const float3 d = nearest_texel(far, layer TEXTURE_ARGUMENT);
+    return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 // #endregion filtered
 
@@ -44,7 +49,7 @@ static float3 texture_color(const Material *material, const float2 coordinates T
         return (float3)(1.0f);
     }
     const float2 wrapped = coordinates - floor(coordinates);
-    const float2 texel = wrapped * material->texture_size + 1.0f;
+    const float2 texel = wrapped * XY(material->texture_size) + 1.0f;
     return filtered(texel, convert_float(material->texture) TEXTURE_ARGUMENT);
 }
 // #endregion texture_color

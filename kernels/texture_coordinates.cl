@@ -8,8 +8,8 @@
 // axis; the two horizontal components are x and z. At a pole, rounding can push y past 1, where
 // asin is NaN.
 static float2 sphere_texture_coordinates(const float3 normal) {
-    const float u = 0.5f + atan2(normal.x, normal.z) / (2.0f * M_PI_F);
-    const float v = 0.5f - asin(clamp(normal.y, -1.0f, 1.0f)) / M_PI_F;
+    const float u = 0.5f + atan2(normal.x, normal.z) / (2.0f * PI);
+    const float v = 0.5f - asin(clamp(normal.y, (float)(-1.0f), (float)(1.0f))) / PI;
     return (float2)(u, v);
 }
 // #endregion sphere_texture_coordinates

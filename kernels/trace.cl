@@ -15,7 +15,7 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEX
         const PendingRay incoming = stack.rays[--stack.count];
         const Hit hit = closest_hit(scene, incoming.ray);
         if (hit.shape == SHAPE_NONE) {
-            color += incoming.weight * scene->background.xyz;
+            color += incoming.weight * XYZ(scene->background);
         } else {
             const Surface surface = surface_at(scene, incoming.ray, hit);
             float3 weight;

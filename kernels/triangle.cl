@@ -23,9 +23,9 @@ static Edges triangle_edges(const Scene *scene, const int index) {
                          facet_corner(scene, index, 2) - corner};
 #else
     const Triangle triangle = scene->triangles[index];
-    const float3 corner = scene->vertex_positions[triangle.vertices[0]].xyz;
-    const Edges edges = {corner, scene->vertex_positions[triangle.vertices[1]].xyz - corner,
-                         scene->vertex_positions[triangle.vertices[2]].xyz - corner};
+    const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
+    const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
+                         XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
 #endif
     return edges;
 }
@@ -95,9 +95,9 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
                                       + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
 #if HAS_MESH_TEXTURES
-    surface->texture_coordinates = a * scene->vertex_texture_coordinates[triangle.vertices[0]]
-                                   + b * scene->vertex_texture_coordinates[triangle.vertices[1]]
-                                   + c * scene->vertex_texture_coordinates[triangle.vertices[2]];
+    surface->texture_coordinates = a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
+                                   + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
+                                   + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
 #elif HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);
 #endif

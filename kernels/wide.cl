@@ -7,18 +7,14 @@
 // #region wide
 // A mask is what comparing two Wide gives: in a lane it is 0, or else 1 (WIDTH 1) or -1 (all bits).
 #if WIDTH == 1
-typedef float Wide;
-typedef int WideInt;
-#define AS_WIDE as_float
-#define AS_WIDE_INT as_int
-#define TO_WIDE_INT convert_int
+#define WIDE(name) name
 #else
-typedef JOIN(float, WIDTH) Wide;
-typedef JOIN(int, WIDTH) WideInt;
-#define AS_WIDE JOIN(as_float, WIDTH)
-#define AS_WIDE_INT JOIN(as_int, WIDTH)
-#define TO_WIDE_INT JOIN(convert_int, WIDTH)
+#define WIDE(name) JOIN(name, WIDTH)
 #endif
+typedef WIDE(float) Wide;
+typedef WIDE(LANE_INT) WideInt;
+typedef JOIN(LANE_INT, 4) LaneInt4;
+typedef JOIN(LANE_INT, 2) LaneInt2;
 
 // In memory, where each lane can be reached. Not by vload and vstore, which PoCL does in pieces: what
 // is stored in small pieces and loaded in large ones has to wait for the cache.
@@ -29,7 +25,7 @@ typedef union Lanes {
 
 typedef union LanesInt {
     WideInt wide;
-    int lane[WIDTH];
+    LANE_INT lane[WIDTH];
 } LanesInt;
 
 // The pixels of a packet are close together so that its rays are too, and so are the packets of a
@@ -84,8 +80,8 @@ static bool any_lane(const WideInt mask) {
 #if WIDTH == 1
     return mask;
 #else
-    const int4 four = FOUR_OF(mask, EITHER);
-    const int2 two = four.lo | four.hi;
+    const LaneInt4 four = FOUR_OF(mask, EITHER);
+    const LaneInt2 two = four.lo | four.hi;
     return two.x | two.y;
 #endif
 }
@@ -94,8 +90,8 @@ static int sum_of_lanes(const WideInt numbers) {
 #if WIDTH == 1
     return numbers;
 #else
-    const int4 four = FOUR_OF(numbers, SUM);
-    const int2 two = four.lo + four.hi;
+    const LaneInt4 four = FOUR_OF(numbers, SUM);
+    const LaneInt2 two = four.lo + four.hi;
     return two.x + two.y;
 #endif
 }
@@ -166,7 +162,7 @@ static void set_packet(PerPacket *packets, const int packet, const float value) 
 #if PACKETS == 1
     *packets = value;
 #else
-    *packets = (int4)(0, 1, 2, 3) == packet ? (float4)(value) : *packets;
+    *packets = (LaneInt4)(0, 1, 2, 3) == packet ? (float4)(value) : *packets;
 #endif
 }
 // #endregion packets
@@ -270,7 +266,7 @@ static Wide3 wide_unit_exact(const Wide3 a) {
 }
 
 static Wide3 wide_unit_native(const Wide3 a) {
-    return wide_scaled(native_rsqrt(wide_dot(a, a)), a);
+    return wide_scaled(NATIVE_RSQRT(wide_dot(a, a)), a);
 }
 // #endregion wide3
 

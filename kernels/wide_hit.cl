@@ -36,7 +36,7 @@ static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) 
         for (int i = 0; i < SPHERE_COUNT; ++i) {
             const Sphere sphere = scene->spheres[i];
             keep_closer(&rays[packet], &closest[packet],
-                        wide_ray_sphere(&rays[packet], sphere.center.xyz, sphere.radius),
+                        wide_ray_sphere(&rays[packet], XYZ(sphere.center), sphere.radius),
                         SHAPE_SPHERE, i);
         }
 #endif
@@ -44,7 +44,7 @@ static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) 
         for (int i = 0; i < PLANE_COUNT; ++i) {
             const Plane plane = scene->planes[i];
             keep_closer(&rays[packet], &closest[packet],
-                        wide_ray_plane(&rays[packet], plane.normal.xyz, plane.offset), SHAPE_PLANE,
+                        wide_ray_plane(&rays[packet], XYZ(plane.normal), plane.offset), SHAPE_PLANE,
                         i);
         }
 #endif
@@ -62,7 +62,7 @@ static void block_hits(const Scene *scene, WideRays *rays, const bool are_lines)
     for (int packet = 0; packet < PACKETS; ++packet) {
 #if SPHERE_COUNT > 0
         for (int i = 0; i < SPHERE_COUNT; ++i) {
-            const float3 center = scene->spheres[i].center.xyz;
+            const float3 center = XYZ(scene->spheres[i].center);
             const float radius = scene->spheres[i].radius;
             block(&rays[packet],
                   are_lines ? wide_line_sphere(&rays[packet], center, radius)
@@ -71,7 +71,7 @@ static void block_hits(const Scene *scene, WideRays *rays, const bool are_lines)
 #endif
 #if PLANE_COUNT > 0
         for (int i = 0; i < PLANE_COUNT; ++i) {
-            const float3 normal = scene->planes[i].normal.xyz;
+            const float3 normal = XYZ(scene->planes[i].normal);
             const float offset = scene->planes[i].offset;
             block(&rays[packet], are_lines
                                      ? wide_line_plane(&rays[packet], normal, offset)

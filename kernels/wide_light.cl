@@ -13,7 +13,7 @@ typedef struct WideIllumination {
 #if HAS_POINT_LIGHT
 // As point_light_at.
 static WideIllumination wide_point_light_at(const PointLight light, const Wide3 position) {
-    const Wide3 to_light = wide_difference(wide3(light.position.xyz), position);
+    const Wide3 to_light = wide_difference(wide3(XYZ(light.position)), position);
     const Wide distance_squared = wide_dot(to_light, to_light);
     const Wide distance = sqrt(distance_squared);
     const Wide share = distance / light.range;
@@ -26,7 +26,7 @@ static WideIllumination wide_point_light_at(const PointLight light, const Wide3 
 
 #if HAS_DIRECTIONAL_LIGHT
 static WideIllumination wide_directional_light_at(const DirectionalLight light) {
-    const WideIllumination illumination = {wide3(-light.direction.xyz), 1.0f};
+    const WideIllumination illumination = {wide3(-XYZ(light.direction)), 1.0f};
     return illumination;
 }
 #endif
@@ -54,7 +54,7 @@ static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,
     rays.limit = mask ? (Wide)(INFINITY) : (Wide)(-1.0f);
 #if HAS_POINT_LIGHT
     if (is_point(light)) {
-        rays.direction = wide_difference(wide3(light.as.point.position.xyz), rays.origin);
+        rays.direction = wide_difference(wide3(XYZ(light.as.point.position)), rays.origin);
         rays.limit = mask ? (Wide)(1.0f) : (Wide)(-1.0f);
     }
 #endif
@@ -88,7 +88,7 @@ static void add_direct_light(const Scene *scene, const WideSurfaces *surfaces, c
             block_hits(scene, rays, is_point(light));
             for (int packet = 0; packet < PACKETS; ++packet) {
                 const Wide3 reflected = wide_product(
-                    weights[packet], wide_scaled(shares[packet], wide3(light.color.xyz)));
+                    weights[packet], wide_scaled(shares[packet], wide3(XYZ(light.color))));
                 colors[packet] = wide_sum(colors[packet],
                                           masked(rays[packet].limit > 0.0f, reflected));
             }

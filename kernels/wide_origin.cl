@@ -36,8 +36,9 @@ static Wide3 wide_leave_fixed(const WideSurfaces *surfaces, const Wide3 normals)
 }
 
 static Wide wide_leave_integer_axis(const Wide position, const Wide normal) {
-    const WideInt steps = TO_WIDE_INT(INTEGER_STEPS * normal);
-    const Wide moved = AS_WIDE(AS_WIDE_INT(position) + (position < 0.0f ? -steps : steps));
+    const WideInt steps = WIDE(TO_LANE_INT)(INTEGER_STEPS * normal);
+    const Wide moved =
+        WIDE(AS_REAL)(WIDE(AS_LANE_INT)(position) + (position < 0.0f ? -steps : steps));
     return fabs(position) < NEAR_ZERO ? position + NEAR_ZERO_OFFSET * normal : moved;
 }
 

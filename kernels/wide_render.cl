@@ -11,12 +11,12 @@ static WideRays camera_rays(const Camera *camera, const int2 corner) {
     const Wide row = (float)corner.y + LANE_Y;
     const Wide x = column + camera->sample.x;
     const Wide y = row + camera->sample.y;
-    const Wide3 at_column = wide_sum(wide3(camera->corner.xyz),
-                                     wide_scaled(x, wide3(camera->right.xyz)));
+    const Wide3 at_column = wide_sum(wide3(XYZ(camera->corner)),
+                                     wide_scaled(x, wide3(XYZ(camera->right))));
     WideRays rays;
-    rays.origin = wide3(camera->position.xyz);
+    rays.origin = wide3(XYZ(camera->position));
     rays.direction = wide_unit(
-        wide_sum(at_column, wide_scaled(y, wide3(camera->down.xyz))));
+        wide_sum(at_column, wide_scaled(y, wide3(XYZ(camera->down)))));
     const WideInt inside = (column < (float)camera->size.x) & (row < (float)camera->size.y);
     rays.limit = inside ? (Wide)(INFINITY) : (Wide)(-1.0f);
     return rays;

@@ -138,7 +138,7 @@ static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *
     Wide3 weights[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
         const Wide3 background = wide_product(load_lanes(&incoming[packet].weight),
-                                              wide3(scene->background.xyz));
+                                              wide3(XYZ(scene->background)));
         const WideInt misses =  // without a word of infinity, which relaxed math does not know
             (hits[packet].shape == SHAPE_NONE) & (rays[packet].limit > 0.0f);
         colors[packet] = wide_sum(colors[packet], masked(misses, background));

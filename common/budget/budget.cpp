@@ -80,6 +80,12 @@ private:
     double best_ratio_ = 2;
 };
 
+Plan plan_in_double(const Probes &probes, int max_depth) {
+    Plan plan{probes.base, max_depth, probes.in_double->error, probes.in_double->ratio};
+    plan.methods[probes.in_double->kind] = probes.in_double->name;
+    return plan;
+}
+
 }  // namespace
 
 Plan cheapest_plan(const Probes &probes, int max_depth, double limit) {
@@ -102,21 +108,27 @@ Budget meet_budget(const cl::Device &device, const std::string &stage, const Sce
                    const RenderSettings &settings, const Probes &probes, double max_error) {
     const Image truth = truth_of(stage, scene, settings).image;
     Budget best{.plan = {}, .error = INFINITY};
+    const auto error_of = [&](const Plan &plan) {
+        RenderSettings with = settings;
+        with.methods = plan.methods;
+        with.max_depth = plan.max_depth;
+        const double error = rmse_of(Renderer(device, stage, scene, with).render().image, truth);
+        if (error <= max_error || error < best.error) {
+            best = {plan, error, error <= max_error};
+        }
+        return error;
+    };
     double aim = max_error;
     for (int i = 0; i < most_tries && !best.is_met; ++i) {
-        Budget budget{.plan = cheapest_plan(probes, settings.max_depth, aim)};
-        RenderSettings with = settings;
-        with.methods = budget.plan.methods;
-        with.max_depth = budget.plan.max_depth;
-        budget.error = rmse_of(Renderer(device, stage, scene, with).render().image, truth);
-        budget.is_met = budget.error <= max_error;
-        if (budget.is_met || budget.error < best.error) {
-            best = budget;
+        const Plan plan = cheapest_plan(probes, settings.max_depth, aim);
+        const double error = error_of(plan);
+        if (plan.ratio == 1) {
+            break;  // the base: nothing in float is more accurate
         }
-        if (budget.plan.ratio == 1) {
-            break;  // the base: there is nothing more accurate
-        }
-        aim = 0.9 * std::min(aim, budget.plan.error * std::min(1.0, max_error / budget.error));
+        aim = 0.9 * std::min(aim, plan.error * std::min(1.0, max_error / error));
+    }
+    if (!best.is_met && probes.in_double) {
+        error_of(plan_in_double(probes, settings.max_depth));
     }
     return best;
 }

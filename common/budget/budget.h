@@ -28,8 +28,8 @@ struct Budget {
 };
 
 // The cheapest plan whose picture, drawn as `settings` say otherwise, is off from truth_of by at
-// most `max_error`; where none is, the one that comes nearest. The probes are of this scene and
-// device.
+// most `max_error`; where none in float is, the base in double, or else the one that comes nearest.
+// The probes are of this scene and device.
 Budget meet_budget(const cl::Device &device, const std::string &stage, const Scene &scene,
                    const RenderSettings &settings, const Probes &probes, double max_error);
 

@@ -13,6 +13,7 @@
 
 #include "budget/fingerprint.h"
 #include "budget/truth.h"
+#include "device/device_choice.h"
 #include "image/whole_file.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
@@ -44,7 +45,7 @@ std::vector<Variant> variants_of(const std::string &stage, const Scene &scene,
     for (const Method &method : methods_of(number)) {
         if (is_approximate(method.kind) && matters(method.kind, needs)
             && !settings.methods.contains(method.kind)
-            && method.name != choice(base.methods, method.kind)) {
+            && method.name != choice(base.methods, method.kind) && method.name != "fp64") {
             variants.push_back({{method.kind, method.name}, base});
             variants.back().settings.methods[method.kind] = method.name;
         }
@@ -56,6 +57,18 @@ std::vector<Variant> variants_of(const std::string &stage, const Scene &scene,
         }
     }
     return variants;
+}
+
+std::optional<Probe> probe_double(const cl::Device &device, const std::string &stage,
+                                  const Scene &scene, RenderSettings settings, Renderer &base,
+                                  const Image &truth) {
+    if (settings.methods.contains("math") || !has_extension(device, "cl_khr_fp64")) {
+        return std::nullopt;
+    }
+    settings.methods["math"] = "fp64";
+    Renderer renderer(device, stage, scene, settings);
+    const double error = rmse_of(renderer.render().image, truth);
+    return Probe{"math", "fp64", time_ratio(renderer, base, rounds), error};
 }
 
 void measure(Variant &variant, const cl::Device &device, const std::string &stage,
@@ -70,11 +83,14 @@ Probes measure_all(const cl::Device &device, const std::string &stage, const Sce
     RenderSettings base = small(settings);
     base.methods.emplace("fresnel", "exact");  // unless the user chose
     std::vector<Variant> variants = variants_of(stage, scene, settings, base);
-    Progress progress("probing methods", variants.size() + 1);
+    Progress progress("probing methods", variants.size() + 2);
     Probes probes{base.methods, 0, {}};
     Renderer renderer(device, stage, scene, base);
     const Image picture = renderer.render().image;
-    probes.base_error = rmse_of(picture, truth_of(stage, scene, base).image);
+    const Image truth = truth_of(stage, scene, base).image;
+    probes.base_error = rmse_of(picture, truth);
+    progress.step();
+    probes.in_double = probe_double(device, stage, scene, base, renderer, truth);
     progress.step();
     for (Variant &variant : variants) {
         measure(variant, device, stage, scene, renderer, picture);
@@ -95,6 +111,15 @@ std::filesystem::path cache_folder() {
                            : std::filesystem::path();
 }
 
+Probe probe_from(const nlohmann::json &json) {
+    return {json.at("kind"), json.at("name"), json.at("ratio"), json.at("error")};
+}
+
+nlohmann::ordered_json json_of(const Probe &probe) {
+    return {
+        {"kind", probe.kind}, {"name", probe.name}, {"ratio", probe.ratio}, {"error", probe.error}};
+}
+
 // Nothing where there is none, or what is there was not written by this program.
 std::optional<Probes> read_probes(const std::filesystem::path &file) {
     std::ifstream in(file);
@@ -102,8 +127,10 @@ std::optional<Probes> read_probes(const std::filesystem::path &file) {
     try {
         Probes probes{json.at("base"), json.at("base_error"), {}};
         for (const nlohmann::json &probe : json.at("probes")) {
-            probes.probes.push_back(
-                {probe.at("kind"), probe.at("name"), probe.at("ratio"), probe.at("error")});
+            probes.probes.push_back(probe_from(probe));
+        }
+        if (json.contains("in_double")) {
+            probes.in_double = probe_from(json.at("in_double"));
         }
         return probes;
     } catch (const nlohmann::json::exception &) {
@@ -114,10 +141,10 @@ std::optional<Probes> read_probes(const std::filesystem::path &file) {
 void write_probes(const Probes &probes, const std::filesystem::path &file) {
     nlohmann::ordered_json json{{"base", probes.base}, {"base_error", probes.base_error}};
     for (const Probe &probe : probes.probes) {
-        json["probes"].push_back({{"kind", probe.kind},
-                                  {"name", probe.name},
-                                  {"ratio", probe.ratio},
-                                  {"error", probe.error}});
+        json["probes"].push_back(json_of(probe));
+    }
+    if (probes.in_double) {
+        json["in_double"] = json_of(*probes.in_double);
     }
     const std::string text = json.dump(1);
     std::error_code failed;

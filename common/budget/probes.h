@@ -3,6 +3,7 @@
 // time.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,11 @@ struct Probe {
 };
 
 struct Probes {
-    Methods base;           // the most accurate methods
+    Methods base;           // the most accurate methods in float
     double base_error = 0;  // RMSE of their picture against truth_of
     std::vector<Probe> probes;
+    std::optional<Probe> in_double = {};  // the base in double, where the device has that: its
+                                          // error is against truth_of, too
 };
 
 // How many times as long one takes to draw as the other, the median of `rounds` in turn: what slows

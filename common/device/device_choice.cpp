@@ -100,6 +100,11 @@ std::vector<cl::Device> all_devices() {
     return devices;
 }
 
+bool has_extension(const cl::Device &device, const char *extension) {
+    const std::string all = ' ' + device.getInfo<CL_DEVICE_EXTENSIONS>() + ' ';
+    return all.find(' ' + std::string(extension) + ' ') != std::string::npos;
+}
+
 std::string list_devices() {
     const std::vector<cl::Device> devices = all_devices();
     if (devices.empty()) {

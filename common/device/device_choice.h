@@ -12,6 +12,9 @@ namespace stagelight {
 // Every device of every platform, in the loader's order: the order of the indices.
 std::vector<cl::Device> all_devices();
 
+// Whether the device names the extension.
+bool has_extension(const cl::Device &device, const char *extension);
+
 // "0: NAME (PLATFORM, VERSION)", a line each; what to install when there is none.
 std::string list_devices();
 

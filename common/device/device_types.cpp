@@ -12,20 +12,44 @@ device::float4 to_float4(const glm::dvec3 &v) {
     return {{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), 0.0F}};
 }
 
-device::Camera to_device(const CameraDescription &camera, int width, int height) {
+namespace {
+
+device::double4 to_double4(const glm::dvec3 &v) {
+    return {{v.x, v.y, v.z, 0.0}};
+}
+
+device::float4 rounded(const device::double4 &v) {
+    return to_float4(glm::dvec3(v.s[0], v.s[1], v.s[2]));
+}
+
+}  // namespace
+
+device::DoubleCamera to_device(const CameraDescription &camera, int width, int height) {
     const glm::dvec3 forward = glm::normalize(camera.look_at - camera.position);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
     const glm::dvec3 up = glm::cross(right, forward);
     const double half_width = std::tan(glm::radians(camera.fov) / 2);
     const double pixel = 2 * half_width / width;  // square
     const glm::dvec3 corner = forward - half_width * right + half_width * height / width * up;
-    device::Camera result = {};
-    result.position = to_float4(camera.position);
-    result.corner = to_float4(corner);
-    result.right = to_float4(pixel * right);
-    result.down = to_float4(-pixel * up);
-    result.sample = {{0.5F, 0.5F}};
+    device::DoubleCamera result = {};
+    result.position = to_double4(camera.position);
+    result.corner = to_double4(corner);
+    result.right = to_double4(pixel * right);
+    result.down = to_double4(-pixel * up);
+    result.sample = {{0.5, 0.5}};
     result.size = {{width, height}};
+    return result;
+}
+
+device::Camera to_single(const device::DoubleCamera &camera) {
+    device::Camera result = {};
+    result.position = rounded(camera.position);
+    result.corner = rounded(camera.corner);
+    result.right = rounded(camera.right);
+    result.down = rounded(camera.down);
+    result.sample = {
+        {static_cast<float>(camera.sample.s[0]), static_cast<float>(camera.sample.s[1])}};
+    result.size = camera.size;
     return result;
 }
 

@@ -12,7 +12,8 @@ namespace stagelight {
 device::float4 to_float4(const glm::dvec3 &v);
 
 // The camera of a picture of width x height pixels, sampled at their centres (docs/shading.md).
-device::Camera to_device(const CameraDescription &camera, int width, int height);
+device::DoubleCamera to_device(const CameraDescription &camera, int width, int height);
+device::Camera to_single(const device::DoubleCamera &camera);
 
 device::Material to_device(const Material &material, const std::vector<Texture> &textures);
 device::Light to_device(const Light &light);

@@ -71,6 +71,8 @@ const std::vector<Method> &all_methods() {
          "-cl-mad-enable: products and sums may be contracted"},
         {"math", "relaxed", 1, "-D METHOD_MATH_MAD=1 -cl-fast-relaxed-math",
          "-cl-fast-relaxed-math: and reordered, with no thought of NaN and infinity"},
+        {"math", "fp64", 1, "-D METHOD_MATH_FP64=1",
+         "in double, on what lies in memory as float; where the device has cl_khr_fp64"},
         {"storage", "float", acceleration_stage, "", "boxes and corners in 32 bits a number"},
         {"storage", "half", acceleration_stage, "-D STORAGE_IS_HALF=1",
          "boxes, corners and normals in 16 bits a number"},

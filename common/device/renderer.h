@@ -38,7 +38,7 @@ private:
     cl::CommandQueue queue_;
     StageKernel kernel_;
     cl::Buffer image_;
-    device::Camera camera_;
+    device::DoubleCamera camera_;
 };
 
 }  // namespace stagelight

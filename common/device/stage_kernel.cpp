@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "device/device_choice.h"
+#include "device/device_types.h"
 #include "device/kernel_source.h"
 #include "device/memory_need.h"
 #include "image/split.h"
@@ -24,6 +26,10 @@ std::size_t work_items(int pixels, int block, std::size_t group) {
     return (items + group - 1) / group * group;
 }
 
+bool is_double(const Methods &methods) {
+    return choice(methods, "math") == "fp64";
+}
+
 // How many rays one work-item traces side by side (kernels/wide.cl).
 int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     const std::string chosen = choice(settings.methods, "width");
@@ -33,7 +39,9 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     if (chosen != "device") {
         return std::stoi(chosen);
     }
-    const cl_uint preferred = device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
+    const cl_uint preferred = is_double(settings.methods)
+                                  ? device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_DOUBLE>()
+                                  : device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
     const bool is_gpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU;
     return is_gpu || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
 }
@@ -94,7 +102,15 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods) {
     std::string options = language + " -cl-kernel-arg-info";
-    if (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_FMA) {
+    if (is_double(methods) && !has_extension(device, "cl_khr_fp64")) {
+        throw MachineError(fmt::format("--method math=fp64: {} has no cl_khr_fp64; choose another "
+                                       "device (--list-devices), or math=strict",
+                                       device.getInfo<CL_DEVICE_NAME>()));
+    }
+    const cl_device_fp_config config = is_double(methods)
+                                           ? device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>()
+                                           : device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
+    if (config & CL_FP_FMA) {
         options += " -D HAS_FMA=1";
     }
     for (const auto &[name, value] : needs) {
@@ -124,15 +140,14 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
 // Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
 // second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
 // that each has one sample, and a single one is the pixel's centre.
-device::float2 sample_point(int index, int count) {
+device::double2 sample_point(int index, int count) {
     int before = 0;  // how many indices have less when they are mirrored
     for (int bit = 1; bit <= index; bit *= 2) {
         if ((index & bit) != 0) {  // those with the same bits below it, and 0 here
             before += (count - 1 - index % bit) / (2 * bit) + 1;
         }
     }
-    return {
-        {static_cast<float>((index + 0.5) / count), static_cast<float>((before + 0.5) / count)}};
+    return {{(index + 0.5) / count, (before + 0.5) / count}};
 }
 
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
@@ -140,7 +155,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const RenderSettings &settings, Picture picture)
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth,
                                          fade_at_of(settings.methods))),
-      samples_(settings.samples) {
+      samples_(settings.samples), is_double_(is_double(settings.methods)) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
     const bool with_tree = stage_number(stage) >= acceleration_stage;
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
@@ -228,8 +243,8 @@ void StageKernel::clear_ray_counts(const cl::CommandQueue &queue, int height) {
 }
 
 void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
-                         const device::Camera &camera, int sample) {
-    device::Camera through = camera;
+                         const device::DoubleCamera &camera, int sample) {
+    device::DoubleCamera through = camera;
     through.sample = sample_point(sample, samples_);
     render(queue, mean_ ? mean_->sample(camera.size) : image, through);
     if (mean_) {
@@ -238,9 +253,13 @@ void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
 }
 
 void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
-                         const device::Camera &camera) {
+                         const device::DoubleCamera &camera) {
     kernel_.setArg(arguments_.at("image"), image);
-    kernel_.setArg(arguments_.at("camera"), camera);
+    if (is_double_) {
+        kernel_.setArg(arguments_.at("camera"), camera);
+    } else {
+        kernel_.setArg(arguments_.at("camera"), to_single(camera));
+    }
     const auto [width, height] = camera.size.s;
     if (plain_textures_) {
         launch_split(queue, width, height);

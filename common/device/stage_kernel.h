@@ -59,7 +59,7 @@ struct BuildTimes {
 };
 
 // -cl-std and the names that kernels/ are built with for a scene, its methods and what the device
-// has.
+// has. Throws MachineError for a method that the device lacks.
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods);
 
@@ -69,7 +69,7 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
                           const std::string &options, bool from_disk = false);
 
 // The point of a pixel, in [0, 1), that the sample `index` of `count` goes through.
-device::float2 sample_point(int index, int count);
+device::double2 sample_point(int index, int count);
 
 class StageKernel {
 public:
@@ -84,7 +84,7 @@ public:
     // The sample `sample` of each pixel of `camera`'s picture: the mean of it and of those before
     // it, 0 first, goes into `image`, which is what `picture` said.
     void launch(const cl::CommandQueue &queue, const cl::Memory &image,
-                const device::Camera &camera, int sample = 0);
+                const device::DoubleCamera &camera, int sample = 0);
     // Without waiting: `rows` is filled when the queue has come that far.
     void read_ray_counts(const cl::CommandQueue &queue, std::vector<device::RayCounts> &rows) const;
 
@@ -99,7 +99,7 @@ private:
     void learn_arguments();
     void make_room_for_ray_counts(int height);
     void render(const cl::CommandQueue &queue, const cl::Memory &image,
-                const device::Camera &camera);
+                const device::DoubleCamera &camera);
     void launch_split(const cl::CommandQueue &queue, int width, int height);
 
     cl::Context context_;
@@ -112,6 +112,7 @@ private:
     std::optional<cl::Buffer> ray_counts_;
     int width_ = 1;  // pixels of a work-item
     int samples_;
+    bool is_double_;
     std::optional<SampleMean> mean_;  // of more than one sample
     BuildTimes milliseconds_;
 };

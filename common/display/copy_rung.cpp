@@ -63,7 +63,7 @@ void CopyRung::resize(int width, int height) {
 }
 
 // #region copy
-void CopyRung::start(StageKernel &kernel, const device::Camera &camera, int sample) {
+void CopyRung::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
     Frame &frame = frames_.at(started_++ % frames_.size());
     void *memory = frame.pixels->memory();
     frame.launch.emplace(queue(), kernel, image_, camera, sample);

@@ -42,7 +42,7 @@ public:
     Picture picture() const override { return Picture::buffer; }
     std::size_t most_in_flight() const override { return frames_.size(); }
     void resize(int width, int height) override;
-    void start(StageKernel &kernel, const device::Camera &camera, int sample) override;
+    void start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) override;
     FinishedFrame finish() override;
     const FloatTexture &texture() const override { return *texture_; }
     std::size_t bytes() const override { return image_.getInfo<CL_MEM_SIZE>(); }

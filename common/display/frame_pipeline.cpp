@@ -103,7 +103,7 @@ void FramePipeline::start(const CameraDescription &camera) {
         started_ = 0;
     }
     camera_ = camera;
-    const device::Camera view = to_device(camera, settings_.width, settings_.height);
+    const device::DoubleCamera view = to_device(camera, settings_.width, settings_.height);
     while (!attempt([&] { rung_->start(*kernel_, view, started_); })) {  // the next begins anew
     }
     ++started_;

@@ -79,11 +79,6 @@ void require_same_device(const cl::Device &device, const Properties &properties)
 
 }  // namespace
 
-bool has_extension(const cl::Device &device, const char *extension) {
-    const std::string all = ' ' + device.getInfo<CL_DEVICE_EXTENSIONS>() + ' ';
-    return all.find(' ' + std::string(extension) + ' ') != std::string::npos;
-}
-
 std::optional<cl::Device> device_of_gl_context(ContextApi api) {
     for (const cl::Device &device : all_devices()) {
         try {

@@ -10,9 +10,6 @@
 
 namespace stagelight {
 
-// Whether the device names the extension.
-bool has_extension(const cl::Device &device, const char *extension);
-
 // The first device, of all platforms, that drives the current OpenGL context and can share with it.
 std::optional<cl::Device> device_of_gl_context(ContextApi api);
 

@@ -40,7 +40,7 @@ public:
     virtual void resize(int width, int height) = 0;
     // Sets the rendering of a frame, which adds that sample to those before it, going, and does not
     // wait for it.
-    virtual void start(StageKernel &kernel, const device::Camera &camera, int sample) = 0;
+    virtual void start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) = 0;
     // Waits for the frame that was started first; then texture() holds it.
     virtual FinishedFrame finish() = 0;
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "device/device_choice.h"
 #include "display/gl_sharing.h"
 
 namespace stagelight {
@@ -53,7 +54,7 @@ std::vector<cl::Event> SharedRung::texture_free() {
 // #endregion texture_free
 
 // #region share
-void SharedRung::start(StageKernel &kernel, const device::Camera &camera, int sample) {
+void SharedRung::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
     const std::vector<cl::Event> free = texture_free();
     queue().enqueueAcquireGLObjects(&image_, free.empty() ? nullptr : &free);
     launch_.emplace(queue(), kernel, image_.front(), camera, sample);

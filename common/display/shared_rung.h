@@ -21,7 +21,7 @@ public:
     Picture picture() const override { return Picture::image; }
     std::size_t most_in_flight() const override { return 1; }  // there is one texture
     void resize(int width, int height) override;
-    void start(StageKernel &kernel, const device::Camera &camera, int sample) override;
+    void start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) override;
     FinishedFrame finish() override;
     const FloatTexture &texture() const override { return *texture_; }
     std::size_t bytes() const override { return texture_->bytes(); }

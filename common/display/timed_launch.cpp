@@ -28,7 +28,7 @@ std::future<double> end_of_commands(const cl::CommandQueue &queue) {
 }  // namespace
 
 TimedLaunch::TimedLaunch(const cl::CommandQueue &queue, StageKernel &kernel,
-                         const cl::Memory &image, const device::Camera &camera, int sample)
+                         const cl::Memory &image, const device::DoubleCamera &camera, int sample)
     : pixels_(static_cast<std::size_t>(camera.size.s[0])
               * static_cast<std::size_t>(camera.size.s[1])),
       sample_(sample) {

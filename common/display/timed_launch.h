@@ -13,7 +13,7 @@ class TimedLaunch {
 public:
     // Enqueues the rendering of one frame into `image`, with nothing waited for.
     TimedLaunch(const cl::CommandQueue &queue, StageKernel &kernel, const cl::Memory &image,
-                const device::Camera &camera, int sample);
+                const device::DoubleCamera &camera, int sample);
 
     // Waits for the end of the rendering.
     FinishedFrame finished();

@@ -24,7 +24,7 @@ __kernel void render(PICTURE image, const Camera camera, SCENE_PARAMETERS) {
     const Scene scene = SCENE_ARGUMENTS;
     const Ray ray = camera_ray(&camera, pixel);
     const Hit hit = closest_hit(&scene, ray);
-    float3 color = scene.background.xyz;
+    float3 color = XYZ(scene.background);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
         color = normals_and_distances(&surface, hit.distance);

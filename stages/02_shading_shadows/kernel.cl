@@ -18,10 +18,10 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     const Ray ray = camera_ray(&camera, pixel);
     const Hit hit = closest_hit(&scene, ray);
     RayCounts counts = {0, 0, 0, 0};
-    float3 color = scene.background.xyz;
+    float3 color = XYZ(scene.background);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
-        const float3 reflectance = scene.materials[surface.material].color.xyz;
+        const float3 reflectance = XYZ(scene.materials[surface.material].color);
         color = reflectance * direct_light(&scene, &surface, &counts);
     }
     write_pixel(image, camera.size.x, pixel, color);

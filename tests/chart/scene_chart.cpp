@@ -270,6 +270,11 @@ private:
         probes.base_error = rmse_of(base, truth_for("fresnel").image);
         for (const Measured &measured : measured_) {
             Probe probe = measured.probe;
+            if (probe.name == "fp64") {
+                probe.error = rmse_of(measured.picture, truth_.image);
+                probes.in_double = probe;
+                continue;
+            }
             const bool of_glass = probe.kind == "fresnel";
             if (of_glass && probe.name == "exact") {
                 continue;

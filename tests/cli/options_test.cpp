@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"method_kind",
                   {"--method", "exterior=full"},
                   "--method exterior=full: expected one of normalise=exact|native, "
-                  "math=strict|mad|relaxed\n"},
+                  "math=strict|mad|relaxed|fp64\n"},
         BadOption{"method_too_early",
                   {"--method", "interior=paper"},
                   "--method interior=paper: 01_primitives has not learnt that yet; "

@@ -49,7 +49,7 @@ TEST_P(KernelsStage01Camera, RaysMatchDouble) {
         const int x = int(dice.between(0, w - 1)), y = int(dice.between(0, h - 1));
         for (const auto &[column, row] :
              {std::pair{0, 0}, {w - 1, 0}, {0, h - 1}, {w - 1, h - 1}, {w / 2, h / 2}, {x, y}}) {
-            cameras.push_back(to_device(camera, w, h));
+            cameras.push_back(to_single(to_device(camera, w, h)));
             if (i % 2 == 1) {
                 cameras.back().sample = sample;
             }

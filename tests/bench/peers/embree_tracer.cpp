@@ -112,7 +112,7 @@ RTCIntersectContext context_of(RTCIntersectContextFlags flags) {
 }  // namespace
 
 EmbreeTracer::EmbreeTracer(const Scene &scene, const EmbreeScene &embree)
-    : embree_(embree), camera_(to_device(scene.camera, scene.width, scene.height)),
+    : embree_(embree), camera_(to_single(to_device(scene.camera, scene.width, scene.height))),
       eye_(to_vec(camera_.position)), background_(scene.background) {
     if (scene.lights.size() != 1 || scene.lights[0].type != LightType::point
         || scene.triangles.empty() || scene.width % tile_size != 0
