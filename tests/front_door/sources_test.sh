@@ -36,6 +36,37 @@ test_no_large_file() {
     expect_empty "over 1 MB" "$(list_files '*' | xargs -d '\n' ls -l | awk '$5 > 1000000')"
 }
 
+test_stage_differences() {
+    python3 "$source_dir/stages/difference.py" || fail "a stage adds too much: see above"
+}
+
+# A step that is too long, a line of the budget that nobody needs, and one for a stage that is not there.
+test_stage_differences_see() {
+    local copy=$scratch/copy line output
+    mkdir "$copy"
+    cp -r "$source_dir/stages" "$source_dir/kernels" "$copy"
+    differ() {
+        if output=$(python3 "$copy/stages/difference.py"); then fail "not seen: $1" "$output"; fi
+    }
+    {
+        echo 'static float3 longer(float3 color) {'
+        for line in {1..90}; do echo "    color += $line.0f;"; done
+        echo '    return color;'
+        echo '}'
+    } >>"$copy/kernels/texture_coordinates.cl"
+    python3 "$copy/stages/difference.py" || fail "what nothing calls counts"
+    sed -i 's/return filtered(texel/return longer(wrapped.xyy) + filtered(texel/' "$copy/kernels/texture.cl"
+    differ "a long step"
+    expect_text "a long step" "06_textures               125 lines more, of 80" "$output"
+    cp "$source_dir"/kernels/texture*.cl "$copy/kernels"
+    printf '[06_textures]\nlines = 90\n' >>"$copy/stages/budget.toml"
+    differ "a line too many"
+    expect_text "a line too many" "it keeps to the usual 80" "$output"
+    sed -i 's/06_textures/06_pictures/' "$copy/stages/budget.toml"
+    differ "an unknown stage"
+    expect_text "an unknown stage" "06_pictures: stages/budget.toml knows it" "$output"
+}
+
 # In pictures too: their headers may name the folder where they were made.
 test_no_path_of_a_machine() {
     expect_empty "paths of somebody's machine" "$(list_files '*' | xargs -d '\n' \

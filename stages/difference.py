@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""What a stage adds to the lesson of the one before.
+
+A stage's lesson is its kernel.cl with all modules that it includes, without what the stage has not
+learnt yet (#if), without methods other than the default, and without functions that nothing calls: what
+a reader of that stage has to read. stages/budget.toml says how many lines each may add.
+"""
+import difflib
+import itertools
+import re
+import sys
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Of the names that the host defines for a scene, those that a stage is the first to know.
+LEARNT = {
+    1: {"SPHERE_COUNT": 2, "PLANE_COUNT": 2},
+    2: {"MATERIAL_COUNT": 2, "LIGHT_COUNT": 2, "HAS_POINT_LIGHT": 1, "HAS_DIRECTIONAL_LIGHT": 1,
+        "HAS_DIFFUSE": 1},
+    3: {"HAS_REFLECTION": 1, "MAX_DEPTH": 8, "STACK_SIZE": 9},
+    4: {"HAS_DIELECTRIC": 1},
+    5: {"TRIANGLE_COUNT": 2},
+    6: {"HAS_TEXTURES": 1, "HAS_MESH_TEXTURES": 1},
+    7: {"PICTURE_IS_IMAGE": 1},
+    9: {"WIDTH": 16, "PACKETS": 4, "BVH_WIDTH": 4, "HAS_FMA": 1},
+    10: {"HAS_DIELECTRIC_MESH": 1, "FADED_ONE_IN": 4096},
+}
+# The lesson of 08 is compiled as C++, OpenCL C and GLSL, and no kernel includes it.
+BESIDE = {8: "kernels/transfer_curves.h"}
+
+
+def stages():
+    return sorted(folder for folder in (ROOT / "stages").glob("[0-9][0-9]_*"))
+
+
+def number_of(stage):
+    return int(stage.name[:2])
+
+
+def included(path, files):
+    """Adds the file after all that it includes, each once."""
+    if path in files:
+        return
+    text = path.read_text()
+    for module in re.findall(r'^#include "(.*)"', text, re.MULTILINE):
+        included(ROOT / "kernels" / module, files)
+    files[path] = [line for line in text.splitlines() if not line.startswith("#include")]
+
+
+def value_of(condition, names):
+    """Of an #if: names that are not defined count as 0."""
+    condition = re.sub(r"defined\((\w+)\)", lambda m: str(int(m[1] in names)), condition)
+    condition = re.sub(r"\b[A-Za-z_]\w*", lambda m: str(names.get(m[0], 0)), condition)
+    condition = condition.replace("&&", " and ").replace("||", " or ")
+    condition = re.sub(r"!(?!=)", " not ", condition)
+    return bool(eval(condition, {"__builtins__": {}}))  # our own sources: numbers and operators
+
+
+def learnt(lines, names):
+    """What #if leaves of them to a stage that knows `names`, to which what they define is added."""
+    kept = []
+    nested = []  # of each #if that is open: whether it is taken, and whether one of its branches was
+    for line in lines:
+        directive = re.match(r"#\s*(if|ifdef|ifndef|elif|else|endif|define)\b\s*(.*)", line)
+        word, rest = directive.groups() if directive else ("", "")
+        rest = rest.split("//")[0].strip()
+        if word in ("if", "ifdef", "ifndef"):
+            value = value_of(rest, names) if word == "if" else (rest in names) == (word == "ifdef")
+            nested.append([value, value])
+        elif word in ("elif", "else"):
+            value = not nested[-1][1] and (word == "else" or value_of(rest, names))
+            nested[-1] = [value, value or nested[-1][1]]
+        elif word == "endif":
+            nested.pop()
+        elif all(taken for taken, _ in nested):
+            kept.append(line)
+            if word == "define" and (macro := re.match(r"(\w+)\s+(.*)", rest)):
+                names.setdefault(*macro.groups())
+    return kept
+
+
+def code_of(line):
+    """The line without its comment."""
+    return line.split("//")[0].rstrip()
+
+
+def pieces_of(lines):
+    """Functions, types and macros of a file, each with the comment above it, without regions' ends."""
+    piece = []
+    depth = 0
+    for line in lines:
+        if re.match(r"// (#(end)?region|SPDX)", line):
+            continue
+        piece.append(line)
+        code = code_of(line)
+        depth += code.count("{") - code.count("}")
+        if depth == 0 and (code.endswith((";", "}")) or re.match(r"#|.*[^\\]$", code) and
+                           code_of(piece_start(piece)).startswith("#")):
+            yield piece
+            piece = []
+
+
+def piece_start(piece):
+    """Its first line of code."""
+    return next((line for line in piece if code_of(line)), "")
+
+
+def name_of(piece):
+    """What other code calls the piece by; none for what is always kept."""
+    text = " ".join(map(code_of, piece)).strip()
+    for pattern in (r"#define (\w+)", r"static [^;={]*?\b(\w+)\(", r"__constant \w+ (\w+)",
+                    r"typedef .*\b(\w+);$"):
+        if found := re.match(pattern, text):
+            return found[1]
+    return ""
+
+
+def uses_of(piece, names):
+    """All words of the piece, and what JOIN(a_, METHOD_B) comes to."""
+    text = " ".join(map(code_of, piece))
+    words = set(re.findall(r"\w+", text))
+    return words | {prefix + str(names.get(method, ""))
+                    for prefix, method in re.findall(r"JOIN\((\w+), (\w+)\)", text)}
+
+
+def reached(files, names):
+    """Without the pieces that nothing leads to from the kernel."""
+    pieces = {file: list(pieces_of(lines)) for file, lines in files.items()}
+    by_name = {}
+    for piece in itertools.chain(*pieces.values()):
+        by_name.setdefault(name_of(piece), []).append(piece)
+    wanted = {""}
+    to_see = list(by_name[""])
+    while to_see:
+        new = uses_of(to_see.pop(), names) & by_name.keys() - wanted
+        wanted |= new
+        for name in new:
+            to_see += by_name[name]
+    return {file: [line for piece in of_file if name_of(piece) in wanted for line in piece]
+            for file, of_file in pieces.items()}
+
+
+def lesson(stage):
+    """What a reader of the stage reads: the lines of each file."""
+    number = number_of(stage)
+    names = {"__OPENCL_VERSION__": 120}
+    for first, known in LEARNT.items():
+        if first <= number:
+            names |= known
+    files = {}
+    included(stage / "kernel.cl", files)
+    files = reached({file: learnt(lines, names) for file, lines in files.items()}, names)
+    for first, file in BESIDE.items():
+        if first <= number:
+            files[ROOT / file] = (ROOT / file).read_text().splitlines()
+    return {str(file.relative_to(ROOT)): lines for file, lines in files.items()
+            if any(map(code_of, lines))}
+
+
+def difference(before, after):
+    """Unified, a file at a time."""
+    old, new = lesson(before), lesson(after)
+    lines = []
+    for file in sorted(old.keys() | new.keys()):
+        lines += difflib.unified_diff(old.get(file, []), new.get(file, []), file, file, lineterm="")
+    return lines
+
+
+def counts(lines):
+    """Of a difference: how many lines of code it adds, and takes away."""
+    code = [line for line in lines if code_of(line[1:]).strip()]
+    added = sum(line.startswith("+") and not line.startswith("+++") for line in code)
+    removed = sum(line.startswith("-") and not line.startswith("---") for line in code)
+    return added, removed
+
+
+def show(before, after):
+    lines = difference(before, after)
+    colors = {"+": "\033[32m", "-": "\033[31m", "@": "\033[36m"} if sys.stdout.isatty() else {}
+    for line in lines:
+        color = colors.get(line[:1], "")
+        print(f"{color}{line}\033[0m" if color else line)
+    added, removed = counts(lines)
+    print(f"{after.name}: {added} lines of code more than {before.name}, {removed} that are gone")
+
+
+def hold_to_budget():
+    """A table of all steps; whether each keeps to its budget."""
+    budget = tomllib.loads((ROOT / "stages" / "budget.toml").read_text())
+    usual = budget.pop("lines")
+    kept = True
+    for before, after in itertools.pairwise(stages()):
+        added, removed = counts(difference(before, after))
+        of_stage = budget.pop(after.name, None)
+        lines = of_stage["lines"] if of_stage else usual
+        print(f"{after.name:24} {added:4} lines more, of {lines} at the most; {removed} gone")
+        if added > lines:
+            print("  too many: make the step smaller, or say in stages/budget.toml why it needs them")
+        elif of_stage and added <= usual:
+            print(f"  it keeps to the usual {usual}: take its own line out of stages/budget.toml")
+        else:
+            continue
+        kept = False
+    for name in budget:
+        print(f"{name}: stages/budget.toml knows it, and stages/ does not")
+    return kept and not budget
+
+
+def main(arguments):
+    by_number = {number_of(stage): stage for stage in stages()}
+    if not arguments:
+        return 0 if hold_to_budget() else 1
+    wanted = [by_number.get(int(text[:2])) if text[:2].isdigit() else None for text in arguments]
+    if len(wanted) != 2 or None in wanted:
+        names = ", ".join(stage.name for stage in by_number.values())
+        print(f"diff {' '.join(arguments)}: expected two stages of {names}", file=sys.stderr)
+        return 2
+    show(*wanted)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
