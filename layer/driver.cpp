@@ -24,7 +24,8 @@ std::string device_text(cl_device_id device, cl_device_info name) {
     require(driver->clGetDeviceInfo(device, name, 0, nullptr, &size));
     std::string text(size, '\0');
     require(driver->clGetDeviceInfo(device, name, size, text.data(), nullptr));
-    return text.c_str();  // without the terminating zero
+    text.resize(std::strlen(text.data()));  // without the terminating zero
+    return text;
 }
 
 std::vector<cl_device_id> devices_of(cl_platform_id platform, cl_device_type type) {

@@ -66,7 +66,8 @@ cl_mem share(cl_context context, cl_mem_flags flags, Describe describe) {
     const auto gl = describe();
     std::vector<std::byte> staging(gl.bytes());
     const cl_mem handle = make_memory(context, flags, gl);
-    remember(handle, std::make_shared<SharedObject>(handle, sharing, gl, std::move(staging)));
+    remember(handle, std::shared_ptr<SharedObject>(
+                         new SharedObject{handle, sharing, gl, std::move(staging)}));
     return handle;
 }
 

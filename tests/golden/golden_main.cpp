@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "app/run_main.h"
+#include "bench/report.h"
+#include "golden/spread.h"
 #include "golden/suite.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
@@ -18,7 +20,7 @@ namespace {
 const std::filesystem::path log_file =
     std::filesystem::path(STAGELIGHT_SOURCE_DIR) / "golden" / "log.md";
 
-constexpr auto usage = "usage: golden [update STAGE --reason TEXT]";
+constexpr auto usage = "usage: golden [tolerances | update STAGE --reason TEXT]";
 
 bool same(const stagelight::Golden &a, const stagelight::Golden &b) {
     return a.image.width == b.image.width && a.image.height == b.image.height
@@ -87,9 +89,35 @@ int check() {
     return code;
 }
 
+// Every bound of the tolerances beside what pictures of devices that are right need of it.
+int check_tolerances() {
+    Progress progress("drawing on both devices", all_scenes().size());
+    int code = exit_done;
+    std::vector<std::vector<std::string>> rows{
+        {"bound", "allows", "needed", "times", "proposed", "verdict", "by"}};
+    for (const Needed &needed : measure_spread([&progress] { progress.step(); })) {
+        const char *verdict = needed.needed > needed.bound                            ? "too tight"
+                              : is_too_loose(needed.key, needed.bound, needed.needed) ? "too loose"
+                                                                                      : "";
+        if (*verdict != '\0') {
+            code = exit_check_failed;
+        }
+        rows.push_back(
+            {needed.place + '.' + needed.key, fmt::format("{:.3g}", needed.bound),
+             fmt::format("{:.3g}", needed.needed),
+             needed.needed > 0 ? fmt::format("{:.1f}", needed.bound / needed.needed) : "",
+             fmt::format("{:.3g}", proposed_bound(needed.key, needed.needed)), verdict, needed.by});
+    }
+    say(bench::table(rows));
+    return code;
+}
+
 int run(std::span<const char *const> arguments) {
     if (arguments.empty()) {
         return check();
+    }
+    if (arguments.size() == 1 && std::string(arguments[0]) == "tolerances") {
+        return check_tolerances();
     }
     const bool complete = arguments.size() == 4 && std::string(arguments[0]) == "update"
                           && std::string(arguments[2]) == "--reason" && *arguments[3] != '\0';

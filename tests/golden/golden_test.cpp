@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "golden/spread.h"
 #include "golden/suite.h"
 #include "image/outliers.h"
 #include "implementations.h"
@@ -35,32 +36,17 @@ void expect_match(const Image &picture, const Image &truth, const std::vector<st
     std::cout << to_string(comparison) << '\n';
 }
 
-// What rounding may do to a pixel on an edge: show what the reference sees a fiftieth of a pixel
-// beside, and nothing else, but for `unseen` pixels.
-void expect_rounding_alone(const GoldenScene &scene, const Image &picture, const Image &truth,
-                           double tolerance, int unseen) {
-    std::vector<glm::ivec2> outliers;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (error_of(picture.at(x, y), truth.at(x, y)) > tolerance) {
-                outliers.emplace_back(x, y);
-            }
-        }
-    }
-    constexpr double reach = 0.02;  // twice the largest shift measured; most are below 0.001
-    const auto around = draw_around(scene, outliers, reach);
+// What rounding may do to a pixel on an edge, and nothing else, but for a few.
+void expect_rounding_alone(const GoldenScene &scene, const std::string &device,
+                           const Image &picture, const Image &truth) {
+    const double tolerance = tolerance_of(scene.name, device).interior;
+    const std::vector<glm::ivec2> unseen = unseen_pixels(scene, picture, truth, tolerance);
     std::string found;
-    for (std::size_t i = 0; i < outliers.size(); ++i) {
-        const glm::vec3 color = picture.at(outliers[i].x, outliers[i].y);
-        if (std::ranges::none_of(around[i], [&](const glm::vec3 &seen) {
-                return error_of(color, seen) <= tolerance;
-            })) {
-            found += fmt::format(" ({}, {})", outliers[i].x, outliers[i].y);
-            --unseen;
-        }
+    for (const glm::ivec2 &pixel : unseen) {
+        found += fmt::format(" ({}, {})", pixel.x, pixel.y);
     }
-    EXPECT_GE(unseen, 0) << "too many pixels show nothing that the reference sees within " << reach
-                         << " pixels:" << found;
+    EXPECT_LE(double(unseen.size()), bound_of(scene.name, device, "unseen").value)
+        << "pixels that show nothing that the reference sees around them:" << found;
 }
 
 TEST_P(Golden, DeviceMatchesGolden) {
@@ -74,11 +60,9 @@ TEST_P(Golden, DeviceMatchesReference) {
     const auto &[scene, device] = GetParam();
     const reference::Result truth = draw_reference(scene);
     const Image picture = draw_device(scene, device);
-    const Tolerance tolerance = tolerance_of(scene.name, device);
-    expect_match(picture, truth.image, truth.edge, tolerance);
+    expect_match(picture, truth.image, truth.edge, tolerance_of(scene.name, device));
     if (stage_number(scene.stage) > 1) {
-        expect_rounding_alone(scene, picture, truth.image, tolerance.interior,
-                              unseen_of(scene.name, device));
+        expect_rounding_alone(scene, device, picture, truth.image);
     }
 }
 
@@ -110,6 +94,18 @@ void expect_method_matches(const GoldenScene &scene, const Methods &methods) {
         expect_match(draw_device(scene, device, methods), truth.image, truth.edge,
                      tolerance_of(scene.name, device));
     }
+}
+
+TEST(Spread, SaysWhatIsTooLoose) {
+    EXPECT_FALSE(is_too_loose("strays", 2, 0)) << "room for another device";
+    EXPECT_TRUE(is_too_loose("strays", 3, 0));
+    EXPECT_FALSE(is_too_loose("strays", 20, 4));
+    EXPECT_TRUE(is_too_loose("strays", 21, 4));
+    EXPECT_FALSE(is_too_loose("interior", 0.002, 1e-6)) << "a golden is rounded to half precision";
+    EXPECT_TRUE(is_too_loose("interior", 0.003, 1e-6));
+    EXPECT_TRUE(is_too_loose("mean_signed_error", 1e-3, 1e-4));
+    EXPECT_EQ(proposed_bound("strays", 23), 46);
+    EXPECT_NEAR(proposed_bound("interior", 0.00061), 0.0013, 1e-12);
 }
 
 // However many rays run side by side. On PoCL: rusticl takes minutes to build what is wide.

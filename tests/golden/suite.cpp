@@ -9,6 +9,7 @@
 
 #include "device/device_choice.h"
 #include "device/renderer.h"
+#include "image/outliers.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 #include "scene/scene_file.h"
@@ -27,20 +28,6 @@ bool is_stage_scene(const std::filesystem::path &file) {
 
 std::string stage_of(const std::string &scene) {
     return std::string(stage_name(stage_number(scene)));
-}
-
-double allowed(const std::string &scene, const std::string &device, const char *key) {
-    const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
-    const toml::table tolerances = toml::parse_file(file.string());
-    const std::pair<std::string_view, std::string_view> places[] = {
-        {scene, device}, {"every", device}, {scene, "every"}, {"every", "every"}};
-    for (const auto &[for_scene, for_device] : places) {
-        const std::string path = fmt::format("{}.{}.{}", for_scene, for_device, key);
-        if (const auto value = tolerances.at_path(path).value<double>()) {
-            return *value;
-        }
-    }
-    throw UserError(fmt::format("{}: {} on {}: no {}", file.string(), scene, device, key));
 }
 
 }  // namespace
@@ -99,13 +86,6 @@ reference::Result draw_reference(const GoldenScene &golden, const Methods &metho
                                      shown_by(golden.stage));
 }
 
-std::vector<std::vector<glm::vec3>>
-draw_around(const GoldenScene &golden, const std::vector<glm::ivec2> &pixels, double reach) {
-    const Scene scene = load_scene(golden.scene);
-    return reference::colors_around(scene, reference_settings(golden.stage, scene, {}), pixels,
-                                    reach);
-}
-
 Image draw_device(const GoldenScene &golden, const std::string &device, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
     require_learnt(scene, stage_number(golden.stage));
@@ -117,16 +97,52 @@ Image draw_device(const GoldenScene &golden, const std::string &device, const Me
     return Renderer(choose_device(device), golden.stage, scene, settings).render().image;
 }
 
+Bound bound_of(const std::string &scene, const std::string &device, const std::string &key) {
+    const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
+    const toml::table tolerances = toml::parse_file(file.string());
+    const std::pair<std::string_view, std::string_view> places[] = {
+        {scene, device}, {"every", device}, {scene, "every"}, {"every", "every"}};
+    for (const auto &[for_scene, for_device] : places) {
+        const std::string place = fmt::format("{}.{}", for_scene, for_device);
+        if (const auto value = tolerances.at_path(place + '.' + key).value<double>()) {
+            return {place, *value};
+        }
+    }
+    throw UserError(fmt::format("{}: {} on {}: no {}", file.string(), scene, device, key));
+}
+
 Tolerance tolerance_of(const std::string &scene, const std::string &device) {
-    const auto number = [&](const char *key) { return allowed(scene, device, key); };
+    const auto number = [&](const char *key) { return bound_of(scene, device, key).value; };
     return {.interior = number("interior"),
             .edge_outliers = static_cast<int>(number("edge_outliers")),
             .strays = static_cast<int>(number("strays")),
             .mean_signed_error = number("mean_signed_error")};
 }
 
-int unseen_of(const std::string &scene, const std::string &device) {
-    return static_cast<int>(allowed(scene, device, "unseen"));
+std::vector<glm::ivec2> unseen_pixels(const GoldenScene &golden, const Image &picture,
+                                      const Image &truth, double tolerance) {
+    std::vector<glm::ivec2> outliers;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            if (error_of(picture.at(x, y), truth.at(x, y)) > tolerance) {
+                outliers.emplace_back(x, y);
+            }
+        }
+    }
+    constexpr double reach = 0.02;  // twice the largest shift measured; most are below 0.001
+    const Scene scene = load_scene(golden.scene);
+    const auto around = reference::colors_around(scene, reference_settings(golden.stage, scene, {}),
+                                                 outliers, reach);
+    std::vector<glm::ivec2> unseen;
+    for (std::size_t i = 0; i < outliers.size(); ++i) {
+        const glm::vec3 color = picture.at(outliers[i].x, outliers[i].y);
+        if (std::ranges::none_of(around[i], [&](const glm::vec3 &seen) {
+                return error_of(color, seen) <= tolerance;
+            })) {
+            unseen.push_back(outliers[i]);
+        }
+    }
+    return unseen;
 }
 
 }  // namespace stagelight::golden

@@ -46,17 +46,24 @@ reference::Shown shown_by(const std::string &stage);
 // The picture as the double-precision reference draws it, by the chosen methods.
 reference::Result draw_reference(const GoldenScene &scene, const Methods &methods = {});
 
-// What the reference sees around the centres of `pixels` (reference::colors_around).
-std::vector<std::vector<glm::vec3>>
-draw_around(const GoldenScene &scene, const std::vector<glm::ivec2> &pixels, double reach);
-
 // The picture as the stage's kernel draws it on the device that `device` stands for (--device).
 Image draw_device(const GoldenScene &scene, const std::string &device, const Methods &methods = {});
 
-// What golden/tolerances.toml allows the scene on that device. Throws UserError for a file that
-// does not say.
+// A number of golden/tolerances.toml, and where it stands: "04_interior.every".
+struct Bound {
+    std::string place;
+    double value = 0;
+};
+
+// The one that holds for the scene on that device; `key` is a member of Tolerance, or "unseen": how
+// many pixels on edges may show what the reference sees nowhere around them. Throws UserError for a
+// file that does not say.
+Bound bound_of(const std::string &scene, const std::string &device, const std::string &key);
 Tolerance tolerance_of(const std::string &scene, const std::string &device);
-// How many pixels on edges may show what the reference sees nowhere around them.
-int unseen_of(const std::string &scene, const std::string &device);
+
+// The pixels beyond `tolerance` that do not show what the reference sees up to a fiftieth of a
+// pixel beside: rounding alone moves none further.
+std::vector<glm::ivec2> unseen_pixels(const GoldenScene &scene, const Image &picture,
+                                      const Image &truth, double tolerance);
 
 }  // namespace stagelight::golden
