@@ -29,7 +29,7 @@ cl_context_properties *place_of(ContextProperties &properties, cl_context_proper
 void *pointer(cl_context_properties value) {
     void *result = nullptr;
     static_assert(sizeof(result) == sizeof(value));
-    return reinterpret_cast<void *>(value);
+    return reinterpret_cast<void *>(value);  // NOLINT(performance-no-int-to-ptr): OpenCL's own way
 }
 
 }  // namespace

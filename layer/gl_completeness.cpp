@@ -50,7 +50,8 @@ GLint last_level(const TextureTarget &target) {
     size = std::max(size, target.halving > 0 ? at_base.width : 1);
     size = std::max(size, target.halving > 1 ? at_base.height : 1);
     size = std::max(size, target.halving > 2 ? at_base.depth : 1);
-    const GLint by_size = base + std::bit_width(static_cast<unsigned>(size)) - 1;
+    const GLint by_size =
+        base + static_cast<GLint>(std::bit_width(static_cast<unsigned>(size))) - 1;
     const GLint last = std::min(by_size, parameter(target, GL_TEXTURE_MAX_LEVEL));
     const GLint stored = immutable_levels(target);
     return stored > 0 ? std::min(last, stored - 1) : last;

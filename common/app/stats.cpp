@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <ranges>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "device/left_out.h"
@@ -203,9 +201,12 @@ void report(const std::string &stage, const cl::Device &device, const StageKerne
                    "{:.2g}\n",
                    figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
     }
-    const auto left = left_out(kernel.needs(), stage_number(stage));
+    std::string left;
+    for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
+        left += (left.empty() ? "left out: " : ", ") + what;
+    }
     if (!left.empty()) {
-        fmt::print("left out: {}\n", fmt::join(left | std::views::keys, ", "));
+        fmt::print("{}\n", left);
     }
 }
 

@@ -34,6 +34,7 @@ std::vector<Options> options_of(const Probes &probes) {
         }
     }
     std::vector<Options> options;
+    options.reserve(by_kind.size());
     for (const auto &[kind, of_kind] : by_kind) {
         options.push_back(of_kind);
     }

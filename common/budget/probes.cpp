@@ -169,13 +169,13 @@ std::vector<int> limits_below(int max_depth) {
     return limits;
 }
 
-double time_ratio(Renderer &one, Renderer &other, int rounds) {
+double time_ratio(Renderer &one, Renderer &other, int pairs) {
     std::vector<double> ratios;
-    for (int i = 0; i < rounds; ++i) {
+    for (int i = 0; i < pairs; ++i) {
         const double of_other = other.render().milliseconds;
         ratios.push_back(one.render().milliseconds / of_other);
     }
-    const auto middle = ratios.begin() + rounds / 2;
+    const auto middle = ratios.begin() + pairs / 2;
     std::ranges::nth_element(ratios, middle);
     return *middle;
 }
@@ -188,7 +188,7 @@ Probes probe_methods(const cl::Device &device, const std::string &stage, const S
     if (const std::optional<Probes> known = read_probes(file)) {
         return *known;
     }
-    const Probes probes = measure_all(device, stage, scene, settings);
+    Probes probes = measure_all(device, stage, scene, settings);
     if (!folder.empty()) {
         write_probes(probes, file);
     }

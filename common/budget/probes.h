@@ -28,10 +28,10 @@ struct Probes {
                                           // error is against truth_of, too
 };
 
-// How many times as long one takes to draw as the other, the median of `rounds` in turn: what slows
+// How many times as long one takes to draw as the other, the median of `pairs` in turn: what slows
 // the machine down for a while slows both. Neither's first picture, which builds the kernel, is to
 // be among them.
-double time_ratio(Renderer &one, Renderer &other, int rounds);
+double time_ratio(Renderer &one, Renderer &other, int pairs);
 
 // Whether methods of that kind trade error for time: the others change how many rays run side by
 // side, or what a file's values mean.

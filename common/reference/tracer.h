@@ -109,22 +109,23 @@ template <typename Number> Vec<Number> Tracer<Number>::dielectric(const Meeting 
     const auto refraction =
         cosine1 > 0 ? refract(at.direction, hit.shading_normal, n1, n2) : std::nullopt;
     const auto share = settings_.fresnel == Fresnel::exact ? fresnel<Number> : schlick<Number>;
-    const Number F = refraction ? share(n1, n2, cosine1, refraction->cosine) : 1;
+    const Number reflectance = refraction ? share(n1, n2, cosine1, refraction->cosine) : 1;
 
     const bool single_pass =
         settings_.interior == Interior::paper && hit.surface.kind == Surface::Kind::sphere;
     Vec<Number> sum(0);
     if (!(single_pass && hit.from_behind))
-        sum += reflected(at, hit.from_behind ? &at.material : at.path.medium, F * at.color);
+        sum +=
+            reflected(at, hit.from_behind ? &at.material : at.path.medium, reflectance * at.color);
     if (!refraction)
         return sum;
     if (single_pass && !hit.from_behind)
-        return sum + through_interior(at, refraction->direction, (1 - F) * at.color);
+        return sum + through_interior(at, refraction->direction, (1 - reflectance) * at.color);
     const Ray<Number> transmitted{hit.point - hit.offset * hit.geometric_normal,
                                   beneath(refraction->direction, hit.geometric_normal)};
     return sum
            + spawn(at, transmitted, hit.from_behind ? nullptr : &at.material,
-                   (single_pass ? 1 : 1 - F) * at.color);
+                   (single_pass ? 1 : 1 - reflectance) * at.color);
 }
 
 // The paper's section 5: from the hit along `inward` to the sphere's far wall, absorbed on the
