@@ -130,8 +130,7 @@ typedef struct BeamAxis {
     Bound enter_back;  // at the other, where not all rays go the same way
 } BeamAxis;
 
-// Along an axis: where rays start, and how fast they are, at the least and at the most. A ray that is
-// not of finite numbers hits nothing, and must not widen the beam of the others.
+// Along an axis: where rays start, and how fast they are, at the least and at the most.
 typedef struct Extent {
     PerPacket low, high;
     PerPacket slowest, fastest;
@@ -148,14 +147,24 @@ typedef struct Beam {
 #endif
 } Beam;
 
+// A ray that is not of finite numbers, along any axis, hits nothing, and must not widen the beam of the
+// others.
+static WideInt counts_in_beam(const WideRays *rays) {
+    WideInt counts = rays->limit > 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        counts &= fabs(along_axis(&rays->origin, axis)) + fabs(along_axis(&rays->direction, axis))
+                  < INFINITY;
+    }
+    return counts;
+}
+
 static Extent extent_of(const WideRays *rays, const int axis) {
     Wide low[PACKETS], minus_high[PACKETS], slowest[PACKETS], minus_fastest[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
         const Wide origin = along_axis(&rays[packet].origin, axis);
         const Wide direction = not_too_small(along_axis(&rays[packet].direction, axis));
         const Wide room = fabs(origin) * ROOM;
-        const WideInt counts =
-            (rays[packet].limit > 0.0f) & (fabs(origin) + fabs(direction) < INFINITY);
+        const WideInt counts = counts_in_beam(&rays[packet]);
         low[packet] = counts ? origin - room : (Wide)(INFINITY);
         minus_high[packet] = counts ? -origin - room : (Wide)(INFINITY);
         slowest[packet] = counts ? direction : (Wide)(INFINITY);

@@ -21,3 +21,74 @@ __kernel void enter_all_ways(__global int *enters, __global const float4 *origin
     const bool in_beam = enter_boxes(&nodes[i], &beam, INFINITY, &at) & 1;
     enters[i] = alone && in_beam && (packets_in(&nodes[i], 0, &beam, limits) & 1);
 }
+
+#define RAYS (PACKETS * WIDTH)
+
+// The ray in one lane, and in the `count` lanes after it the other. All others have none.
+static void in_lanes(WideRays *rays, const int ray_lane, const float3 origin,
+                     const float3 direction, const float3 other, const int count) {
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        Lanes3 directions;
+        Lanes limits;
+        for (int lane = 0; lane < WIDTH; ++lane) {
+            const int after = (packet * WIDTH + lane - ray_lane + RAYS) % RAYS;
+            put_lane(&directions, lane, after == 0 ? direction : other);
+            limits.lane[lane] = after <= count ? INFINITY : -1.0f;
+        }
+        rays[packet].origin = wide3(origin);
+        rays[packet].direction = load_lanes(&directions);
+        rays[packet].limit = limits.wide;
+    }
+}
+
+// What becomes of a ray: the children whose boxes its beam enters, the bits of where it enters the first,
+// whether its packet enters that, and whether the ray hits the triangle there. `others` is how many of
+// the other rays do.
+static int4 told(__global const BvhNode *node, const Scene *scene, const WideRays *rays,
+                 const int ray_lane, int *others) {
+    Beam beam;
+    beam_of(&beam, rays);
+    Boxes at;
+    float each[BVH_WIDTH];
+    const int children = enter_boxes(node, &beam, INFINITY, &at);
+    STORE_BOXES(at, each);
+    const int packets = packets_in(node, 0, &beam, INFINITY);
+    int hits = 0;
+    *others = 0;
+    for (int packet = 0; packet < PACKETS; ++packet) {
+        const SlabRays slabs = slab_rays(&rays[packet]);
+        const TriangleRays shared = triangle_rays(&rays[packet], beam.axis);
+        Wide b, c;
+        LanesInt hit;
+        hit.wide = enter_box(node, 0, &slabs, rays[packet].limit)
+                   & (wide_ray_triangle(&rays[packet], &shared, scene, 0, &b, &c)
+                      < rays[packet].limit);
+        for (int lane = 0; lane < WIDTH; ++lane) {
+            if (packet * WIDTH + lane == ray_lane) {
+                hits = hit.lane[lane] != 0;
+            } else {
+                *others += hit.lane[lane] != 0;
+            }
+        }
+    }
+    return (int4)(children, as_int(each[0]), packets >> ray_lane / WIDTH & 1, hits);
+}
+
+// In x whether the ray is said to hit the triangle in the first child's box, in y whether what it is told
+// hangs on the rays beside it, in z how many of those hit.
+__kernel void enter_beside(__global int4 *results, __global const float4 *origins,
+                           __global const float4 *directions, __global const float4 *others,
+                           __global const int *counts, __global const BvhNode *nodes,
+                           __global const Facet *facets) {
+    const size_t i = get_global_id(0);
+    const int lane = i % RAYS;
+    Scene scene;
+    scene.facets = &facets[i];
+    WideRays rays[PACKETS];
+    int hits;
+    in_lanes(rays, lane, origins[i].xyz, directions[i].xyz, others[i].xyz, 0);
+    const int4 alone = told(&nodes[i], &scene, rays, lane, &hits);
+    in_lanes(rays, lane, origins[i].xyz, directions[i].xyz, others[i].xyz, counts[i]);
+    const int4 beside = told(&nodes[i], &scene, rays, lane, &hits);
+    results[i] = (int4)((beside.x & 1) & beside.z & beside.w, any(alone != beside), hits, 0);
+}

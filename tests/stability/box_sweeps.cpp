@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rays that meet a triangle, long double says, and are said not to be in the box around it: the
-// triangle has a hole there. Most are aimed where it touches the box.
+// triangle has a hole there. Most are aimed where it touches the box. And rays that are not of
+// finite numbers, which must change nothing for those beside them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +16,7 @@
 namespace stagelight::stability {
 namespace {
 
-using glm::dvec3, glm::vec3, glm::vec4;
+using glm::dvec3, glm::ivec4, glm::vec3, glm::vec4;
 using reference::Dice;
 
 // BvhNode of four children, all but the first empty.
@@ -176,6 +177,121 @@ TEST_P(StabilityStage09Box, NearlyAlongAnAxis) {
                 GetParam());
     measure_all(sweep, cases);
     expect_room_counts(sweep, 1e46);
+}
+
+// Rays that hit a triangle, which is in the first of four boxes, and miss the others. Each has
+// `count` others beside it, from the same place.
+struct Neighbours {
+    std::vector<double> x;
+    std::vector<vec4> origins, directions, others;
+    std::vector<int> counts;
+    std::vector<Node> nodes;
+    std::vector<device::Facet> facets;
+    Dice dice;
+
+    // Of the others, one or more parts are as large as that.
+    void add(int count, float large) {
+        const Corners corners =
+            placed({dice.in_cube(1), dice.in_cube(1), dice.in_cube(1)}, 1, dvec3(0));
+        const dvec3 weights(dice.between(1, 2), dice.between(1, 2), dice.between(1, 2));
+        const dvec3 target =
+            (weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2])
+            / (weights.x + weights.y + weights.z);
+        const vec3 origin(target + 4.0 * dice.direction());
+        const vec3 direction(glm::normalize(target - dvec3(origin)));
+        const reference::Ray<long double> ray{Exact(origin), Exact(direction)};
+        if (!reference::intersect_triangle(
+                ray, {Exact(corners[0]), Exact(corners[1]), Exact(corners[2])})) {
+            return;
+        }
+        vec3 other(dice.direction());
+        const auto parts = unsigned(x.size() % 7 + 1);  // each set of them
+        for (int axis = 0; axis < 3; ++axis) {
+            if ((parts >> axis & 1) != 0) {
+                other[axis] = dice.between(-1, 1) < 0 ? -large : large;
+            }
+        }
+        Node node = node_around(corners, true);
+        for (std::size_t child = 1; child < 4; ++child) {
+            const dvec3 behind = dvec3(origin) - 3.0 * dvec3(direction) + dice.in_cube(1);
+            for (int axis = 0; axis < 3; ++axis) {
+                node[4 * std::size_t(axis) + child] = float(behind[axis] - 0.1);
+                node[4 * std::size_t(axis + 3) + child] = float(behind[axis] + 0.1);
+            }
+        }
+        x.push_back(std::max(count, 1));
+        origins.emplace_back(origin, 0);
+        directions.emplace_back(count > 0 ? direction : other, 0);
+        others.emplace_back(other, 0);
+        counts.push_back(count);
+        nodes.push_back(node);
+        facets.push_back(facet_of(corners));
+    }
+
+    std::vector<ivec4> ask(DeviceProgram program) const {
+        return program.run<ivec4>("enter_beside", origins, directions, others, counts, nodes,
+                                  facets);
+    }
+};
+
+using StabilityStage09NotFinite = StabilityStage09Box;
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage09NotFinite, each_device(), device_name);
+
+// A direction with an infinite part has no length to divide by: its ray hits nothing, and what the
+// others are told is what they are told without it. The largest finite number is a direction like
+// any other: its ray counts, and the beam becomes as wide as all space.
+TEST_P(StabilityStage09NotFinite, BesideOthers) {
+    Sweep sweep({.name = "box_infinite",
+                 .kind = "box",
+                 .title = "Rays of infinite direction among others",
+                 .x_label = "how many of them beside a ray",
+                 .y_label = "share of the rays that they disturb",
+                 .limit = 1e-4,
+                 .stated = "any number of them"},
+                GetParam());
+    const auto measure_beside = [&](const std::string &series, int width, const char *method,
+                                    float large) {
+        const int rays = width * PACKETS_IN_ROW_OF(width) * PACKETS_IN_ROW_OF(width);
+        Neighbours cases;
+        for (int count = rays == 1 ? 0 : 1; count < rays; count = 2 * count + 1) {
+            for (int i = 0; i < 1024; ++i) {
+                cases.add(count, large);
+            }
+        }
+        const auto told = cases.ask(build("boxes.cl", with_tree(width), {{"box", method}}));
+        std::map<double, std::pair<double, double>> disturbed;
+        for (std::size_t i = 0; i < told.size(); ++i) {
+            const bool right = cases.counts[i] == 0
+                                   ? told[i].x == 0
+                                   : told[i].x != 0 && told[i].y == 0 && told[i].z == 0;
+            auto &[wrong, all] = disturbed[cases.x[i]];
+            wrong += right ? 0 : 1;
+            all += 1;
+        }
+        for (const auto &[x, counts] : disturbed) {
+            EXPECT_GT(counts.second, 500) << x;
+            sweep.add(series, x, counts.first / counts.second);
+        }
+    };
+    for (const char *method : {"robust", "ordered", "fminmax"}) {
+        measure_beside(std::string(method) + ", alone", 1, method, INFINITY);
+        sweep.expect_holds(std::string(method) + ", alone", 1);
+    }
+    if (on_rusticl()) {  // which takes three seconds and more to build what is wider
+        return;
+    }
+    for (const int width : {4, 8, 16}) {
+        const std::string series = "robust, width=" + std::to_string(width);
+        measure_beside(series, width, "robust", INFINITY);
+        sweep.expect_holds(series, 4 * width - 1);
+    }
+    for (const char *method : {"ordered", "fminmax"}) {
+        const std::string series = std::string(method) + ", width=4";
+        measure_beside(series, 4, method, INFINITY);
+        sweep.expect_holds(series, 15);
+    }
+    measure_beside("3e38 for infinity, width=4", 4, "robust", 3e38F);
+    sweep.expect_fails("3e38 for infinity, width=4", 1);
 }
 
 }  // namespace
