@@ -4,6 +4,7 @@
 // beside the reference in double, with pixels on edges left out.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "reference/reference.h"
 #include "render/moved.h"
@@ -37,16 +38,28 @@ protected:
     }
 
     // The share of the pixels off edges that each method has wrong.
-    static void measure(Sweep &sweep, double x, const Scene &scene) {
+    static std::map<std::string, double> wrong_by_method(const Scene &scene,
+                                                         const char *with_stage) {
         const auto truth =
             reference::render<double>(scene, {scene.width, scene.height, scene.max_depth});
         const auto inside = double(std::ranges::count(truth.edge, 0));
-        EXPECT_GT(inside, double(truth.edge.size()) / 3) << x;
+        EXPECT_GT(inside, double(truth.edge.size()) / 3);
+        std::map<std::string, double> wrong;
         for (const char *method : methods) {
             RenderSettings settings = render::settings_of(scene);
             settings.methods = {{"width", "1"}, {"origin", method}};
-            const Image picture = renderer(stage(), scene, settings).render().image;
-            sweep.add(method, x, wrong_pixels(picture, truth) / inside);
+            const Image picture = renderer(with_stage, scene, settings).render().image;
+            wrong[method] = wrong_pixels(picture, truth) / inside;
+        }
+        return wrong;
+    }
+
+    static void measure(Sweep &sweep, double x, const Scene &scene,
+                        const char *with_stage = stage()) {
+        SCOPED_TRACE(x);
+        const auto wrong = wrong_by_method(scene, with_stage);
+        for (const char *method : methods) {
+            sweep.add(method, x, wrong.at(method));
         }
     }
 };
@@ -173,6 +186,61 @@ TEST_P(StabilityStage10Origin, DarkGap) {
     sweep.expect_holds("error_bound", 1e6);
     sweep.expect_fails("scaled", 1e6);
     sweep.expect_fails("fixed", 1e4);
+}
+
+// A light at `height` above a floor, or above the ball on it, seen from as near; half-way to it a
+// bead casts a shadow. On the ball coordinates are about 1, of which float has seven digits.
+Scene light_above(bool is_ball, double height) {
+    const dvec3 normal = is_ball ? dvec3(0.6, 0.8, 0) : dvec3(0, 1, 0);
+    const dvec3 foot = is_ball ? 1.25 * normal : dvec3(0);
+    const double size = height > 0 ? height : 1;
+    const dvec3 along(normal.y, -normal.x, 0), across(0, 0, 1);
+    Scene scene =
+        render::one_pixel(foot + size * (2.0 * across + 0.5 * along + 1.5 * normal), foot);
+    scene.camera.up = normal;
+    scene.width = 64;
+    scene.height = 40;
+    const double floor = is_ball ? -1.25 : 0;
+    reference::add_plane(scene, {0, 1, 0}, {0, floor, 0}, reference::diffuse(dvec3(1)));
+    reference::add_sphere(scene, dvec3(0, is_ball ? 0 : -9, 0), 1.25, reference::diffuse(dvec3(1)));
+    reference::add_sphere(scene, foot + size * (0.5 * normal + 0.2 * along), size / 8,
+                          reference::diffuse(dvec3(0)));
+    reference::add_point_light(scene, foot + height * normal, dvec3(1), size * size);
+    return scene;
+}
+
+TEST_P(StabilityStage10Origin, LightCloseToAFloorAndABall) {
+    Sweep floor(about("origin_light_floor", "A light comes down to a floor", "1 / its height",
+                      "to a height of 1e-7"),
+                GetParam());
+    Sweep ball(about("origin_light_ball", "A light comes down to a ball", "1 / its height",
+                     "to a height of 1e-4"),
+               GetParam());
+    // A small kernel, which has all that this needs.
+    const char *const with_stage = "02_shading_shadows";
+    for (const int power : {1, 3, 5, 7}) {
+        const double x = std::pow(10, power);
+        measure(floor, x, rounded(light_above(false, 1 / x)), with_stage);
+    }
+    for (const int power : {1, 3, 4, 5}) {
+        const double x = std::pow(10, power);
+        measure(ball, x, rounded(light_above(true, 1 / x)), with_stage);
+    }
+    for (const char *method : {"error_bound", "scaled"}) {
+        floor.expect_holds(method, 1e7);
+        ball.expect_holds(method, 1e4);
+        ball.expect_fails(method, 1e5);
+    }
+    for (Sweep *sweep : {&floor, &ball}) {
+        sweep->expect_fails("fixed", 1e3);
+        sweep->expect_fails("integer", 1e5);
+    }
+    // In the surface itself: no light, whatever rounding does.
+    for (const bool is_ball : {false, true}) {
+        for (const auto &[method, wrong] : wrong_by_method(light_above(is_ball, 0), with_stage)) {
+            EXPECT_EQ(wrong, 0) << method << (is_ball ? ", ball" : ", floor");
+        }
+    }
 }
 
 }  // namespace
