@@ -125,7 +125,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
             ->excludes(samples_option);
     }
     app.add_option("--kernels", options.kernels,
-                   "read the kernels from DIR, which holds kernels/ and stages/");
+                   "read the kernels from DIR, which holds kernels/ and stages/ (default: "
+                   "STAGELIGHT_KERNELS, else those in the program)");
     app.add_option("--stats", options.stats, "JSON file to write figures to");
     app.add_option("--export-pov", options.export_pov,
                    "write the scene to FILE, for POV-Ray 3.7, and leave");

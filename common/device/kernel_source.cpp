@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "device/kernel_source.h"
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -17,9 +18,10 @@ std::string read_from_disk(const std::filesystem::path &file) {
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
     if (!stream.is_open() || stream.bad()) {
-        throw UserError(fmt::format("{}: can't be read; --kernels expects a folder that holds "
-                                    "kernels/ and stages/ as the repository does",
-                                    file.string()));
+        throw UserError(fmt::format(
+            "{}: can't be read; --kernels, or STAGELIGHT_KERNELS, expects a folder that holds "
+            "kernels/ and stages/ as the repository does",
+            file.string()));
     }
     return text;
 }
@@ -76,9 +78,16 @@ private:
 
 }  // namespace
 
+std::optional<std::filesystem::path>
+named_kernels(const std::optional<std::filesystem::path> &checkout) {
+    const char *from_environment = std::getenv("STAGELIGHT_KERNELS");
+    return checkout || from_environment == nullptr ? checkout : from_environment;
+}
+
 std::string kernel_source(const std::string &path,
                           const std::optional<std::filesystem::path> &checkout) {
-    Expansion expansion(checkout);
+    const std::optional<std::filesystem::path> folder = named_kernels(checkout);
+    Expansion expansion(folder);
     expansion.append(path);
     return expansion.take();
 }

@@ -13,9 +13,14 @@ namespace stagelight {
 // By path in the checkout: "kernels/ray.cl", "stages/01_primitives/kernel.cl", …
 extern const std::map<std::string, std::string, std::less<>> embedded_sources;
 
+// The folder to read kernels from: `checkout`, or where there is none STAGELIGHT_KERNELS; none
+// where nobody names one.
+std::optional<std::filesystem::path>
+named_kernels(const std::optional<std::filesystem::path> &checkout);
+
 // The text of `path` ("stages/NN_name/kernel.cl") with every #include "module" replaced by
 // kernels/module, each once, and #line directives, so that a compiler's message names the
-// module and its line. With `checkout`, a folder that holds kernels/ and stages/ as the
+// module and its line. With a folder named, which holds kernels/ and stages/ as the
 // repository does, all of it is read from there. Throws UserError for a file that is missing.
 std::string kernel_source(const std::string &path,
                           const std::optional<std::filesystem::path> &checkout = {});

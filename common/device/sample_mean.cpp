@@ -10,7 +10,7 @@ SampleMean::SampleMean(const cl::Context &context, const std::string &options,
                        const std::optional<std::filesystem::path> &kernels)
     : context_(context),
       kernel_(build_program(context, kernel_source("kernels/accumulate.cl", kernels), options,
-                            kernels.has_value()),
+                            named_kernels(kernels).has_value()),
               "accumulate") {}
 
 const cl::Buffer &SampleMean::sample(const device::int2 &size) {

@@ -176,8 +176,8 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
     milliseconds_.kernel = timed("building the kernel", [&] {
-        kernel_ =
-            render_kernel(build_program(context, source, options_, settings.kernels.has_value()));
+        kernel_ = render_kernel(
+            build_program(context, source, options_, named_kernels(settings.kernels).has_value()));
         if (samples_ > 1) {
             mean_.emplace(context, language + writes, settings.kernels);
         }

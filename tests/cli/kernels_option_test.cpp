@@ -30,9 +30,10 @@ protected:
         text.replace(place, old.size(), fresh);
         std::ofstream(path) << text;
     }
-    PictureFile draw(std::vector<std::string> arguments) const {
+    PictureFile draw(std::vector<std::string> arguments,
+                     const std::vector<std::string> &environment = {}) const {
         arguments.insert(arguments.end(), {"--size", small, "--out", "a.exr"});
-        expect_done(run("01_primitives", arguments));
+        expect_done(run("01_primitives", Start{arguments, environment}));
         return read_picture_file(folder.path() / "a.exr");
     }
     // Why nothing was drawn with them.
@@ -51,16 +52,19 @@ TEST_F(Stage01Kernels, OnDiskAreThoseInTheProgram) {
 
 TEST_F(Stage01Kernels, OnDiskChangeThePicture) {
     const PictureFile usual = draw({});
-    replace("stages/01_primitives/kernel.cl", "color = scene.background.xyz",
-            "color = 1.0f - scene.background.xyz");
-    EXPECT_GT(largest_difference(usual, draw({"--kernels", "mine"})), 0.5F);
-    replace("kernels/camera.cl", "point.x * camera->right", "2.0f * point.x * camera->right");
+    replace("stages/01_primitives/kernel.cl", "color = XYZ(scene.background)",
+            "color = 1.0f - XYZ(scene.background)");
+    const PictureFile mine = draw({"--kernels", "mine"});
+    EXPECT_GT(largest_difference(usual, mine), 0.5F);
+    EXPECT_EQ(largest_difference(mine, draw({}, {"STAGELIGHT_KERNELS=mine"})), 0);
+    replace("kernels/camera.cl", "point.x * XYZ(camera->right)",
+            "2.0f * point.x * XYZ(camera->right)");
     EXPECT_GT(largest_difference(usual, draw({"--kernels", "mine/"})), 0.5F);
 }
 
 // The compiler's log counts lines as the file does, before and after an #include.
 TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
-    replace("kernels/camera.cl", "unit(direction.xyz)", "unite(direction.xyz)");
+    replace("kernels/camera.cl", "unit(direction)", "unite(direction)");
     const std::string text = [&] {
         std::ifstream in(folder.path() / "mine/kernels/camera.cl");
         return std::string{std::istreambuf_iterator<char>(in), {}};
@@ -91,7 +95,8 @@ TEST_F(Stage01Kernels, WithoutTheKernelItselfAreTold) {
 TEST_F(Stage01Kernels, ThatAreMissingAreToldByName) {
     fs::remove(folder.path() / "mine/kernels/sphere.cl");
     expect_one_line(refused(), users_mistake,
-                    "mine/kernels/sphere.cl: can't be read; --kernels expects a folder that holds "
+                    "mine/kernels/sphere.cl: can't be read; --kernels, or STAGELIGHT_KERNELS, "
+                    "expects a folder that holds "
                     "kernels/ and stages/");
     fs::remove_all(folder.path() / "mine");
     expect_one_line(refused(), users_mistake, "mine/stages/01_primitives/kernel.cl: can't be read");
