@@ -2,7 +2,8 @@
 # cmake -DPROGRAM=… -DNAME=… -DOUTPUT=… -DCASES=… -P suites.cmake: writes what ctest includes, a test
 # for each suite of a GoogleTest program; for each case where CASES is true, or where only the case
 # says its stage. A test is a process, and to start one takes longer than most cases do.
-# (GoogleTest.cmake knows cases alone, and garbles lists of labels.)
+# (GoogleTest.cmake knows cases alone, and garbles lists of labels.) Where STAGELIGHT_DEVICE names a
+# device, tests are called after that one: then what ctest includes asks anew, with no OUTPUT.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE " *#[^\n]*" "" listed "${listed}") # the values of parameters
 string(REPLACE "\n" ";" lines "${listed}")
@@ -40,4 +41,12 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 finish_suite()
-file(WRITE ${OUTPUT} "${tests}")
+if(OUTPUT)
+  file(WRITE ${OUTPUT}
+       "if(DEFINED ENV{STAGELIGHT_DEVICE})\n"
+       "set(PROGRAM [=[${PROGRAM}]=])\nset(NAME [=[${NAME}]=])\nset(CASES [=[${CASES}]=])\n"
+       "include([=[${CMAKE_CURRENT_LIST_FILE}]=])\n"
+       "else()\n${tests}endif()\n")
+else()
+  cmake_language(EVAL CODE "${tests}")
+endif()

@@ -11,6 +11,7 @@
 #include "display/layer_loaded.h"
 #include "display/screen.h"
 #include "display/xvfb.h"
+#include "implementations.h"
 #include "scene/errors.h"
 #include "scene/scene_file.h"
 #include "scene/temporary_folder.h"
@@ -88,8 +89,8 @@ TEST_P(Stage07Endurance, LeavesMemoryAsItWas) {
     RenderSettings settings;
     settings.width = 32;
     settings.height = 20;
-    FramePipeline pipeline(choose_device("pthread"), window.api(), "01_primitives", scene, settings,
-                           {GetParam()}, TextureFormat::rgba32f);
+    FramePipeline pipeline(choose_device(implementations.front()), window.api(), "01_primitives",
+                           scene, settings, {GetParam()}, TextureFormat::rgba32f);
     const auto bytes = pipeline.bytes();
     std::size_t resident_after_warming = 0;
     for (int frame = 0; frame < frames; ++frame) {

@@ -94,7 +94,8 @@ TEST_P(Stage07Rungs, AddSamplesToWhatIsRenderedWithoutAWindow) {
 
 std::string name_of(const testing::TestParamInfo<Case> &instance) {
     const auto &[device, rung, api] = instance.param;
-    return fmt::format("{}_{}_{}", device, to_string(rung), api == ContextApi::egl ? "egl" : "glx");
+    return fmt::format("{}_{}_{}", name_in_tests(device), to_string(rung),
+                       api == ContextApi::egl ? "egl" : "glx");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Stage07Rungs,
@@ -112,11 +113,11 @@ TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
     const std::string stage = GetParam();
     const Scene scene = scene_of(stage);
     Window window(window_settings());
-    FramePipeline pipeline(choose_device("pthread"), window.api(), stage, scene,
+    FramePipeline pipeline(choose_device(implementations.front()), window.api(), stage, scene,
                            small_settings(scene), {RungName::shared}, TextureFormat::rgba32f);
     pipeline.start(scene.camera);
     ASSERT_TRUE(pipeline.finish());
-    expect_same(pipeline.texture().read(), without_window("pthread", stage, scene));
+    expect_same(pipeline.texture().read(), without_window(implementations.front(), stage, scene));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage,
@@ -133,10 +134,17 @@ protected:
 
     FramePipeline pipeline(const std::deque<RungName> &ladder,
                            TextureFormat format = TextureFormat::rgba32f) const {
-        return {choose_device("pthread"), window.api(), "01_primitives", scene,
-                small_settings(scene),    ladder,       format};
+        return {choose_device(implementations.front()),
+                window.api(),
+                "01_primitives",
+                scene,
+                small_settings(scene),
+                ladder,
+                format};
     }
-    Image rendered() const { return without_window("pthread", "01_primitives", scene); }
+    Image rendered() const {
+        return without_window(implementations.front(), "01_primitives", scene);
+    }
 };
 
 // A texture in half precision holds 11 bits of the picture, rounded or, as Mesa does, cut off.
@@ -174,8 +182,8 @@ TEST_F(Stage07Ladder, ARungThatIsLostGivesWayToTheNext) {
 // OpenCL is asked to share with a context that is not the current one's.
 TEST_F(Stage07Ladder, AContextThatOpenClCannotShareWithGivesWay) {
     const ContextApi other = window.api() == ContextApi::egl ? ContextApi::native : ContextApi::egl;
-    const FramePipeline copied(choose_device("pthread"), other, "01_primitives", scene,
-                               small_settings(scene), {RungName::shared, RungName::copy},
+    const FramePipeline copied(choose_device(implementations.front()), other, "01_primitives",
+                               scene, small_settings(scene), {RungName::shared, RungName::copy},
                                TextureFormat::rgba32f);
     EXPECT_EQ(copied.rung(), RungName::copy);
     EXPECT_NE(copied.reason().find("no shared: clGetGLContextInfoKHR failed with error -1000"),
@@ -206,10 +214,10 @@ TEST_F(Stage07Ladder, ResizedPicturesAreThoseOfTheirSize) {
             RenderSettings settings = small_settings(scene);
             settings.width = width;
             settings.height = height;
-            expect_same(resized.texture().read(),
-                        Renderer(choose_device("pthread"), "01_primitives", scene, settings)
-                            .render()
-                            .image);
+            expect_same(resized.texture().read(), Renderer(choose_device(implementations.front()),
+                                                           "01_primitives", scene, settings)
+                                                      .render()
+                                                      .image);
         }
     }
 }
@@ -218,8 +226,8 @@ TEST_F(Stage07Ladder, ResizedPicturesAreThoseOfTheirSize) {
 TEST_F(Stage07Ladder, AnotherViewBeginsWithItsFirstSample) {
     RenderSettings settings = small_settings(scene);
     settings.samples = 5;
-    FramePipeline both(choose_device("pthread"), window.api(), "01_primitives", scene, settings,
-                       {RungName::shared, RungName::copy}, TextureFormat::rgba32f);
+    FramePipeline both(choose_device(implementations.front()), window.api(), "01_primitives", scene,
+                       settings, {RungName::shared, RungName::copy}, TextureFormat::rgba32f);
     CameraDescription other = scene.camera;
     other.position.y += 0.5;
     const auto add = [&both](const CameraDescription &camera, int samples) {
@@ -229,7 +237,9 @@ TEST_F(Stage07Ladder, AnotherViewBeginsWithItsFirstSample) {
         }
     };
     const Image exact =
-        Renderer(choose_device("pthread"), "01_primitives", scene, settings).render().image;
+        Renderer(choose_device(implementations.front()), "01_primitives", scene, settings)
+            .render()
+            .image;
     add(other, 3);
     add(scene.camera, 5);
     EXPECT_TRUE(both.complete(scene.camera));

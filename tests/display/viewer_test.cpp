@@ -13,6 +13,7 @@
 #include "display/x_client.h"
 #include "display/xvfb.h"
 #include "image/image_io.h"
+#include "implementations.h"
 #include "scene/scene_file.h"
 #include "scene/temporary_folder.h"
 
@@ -75,8 +76,8 @@ protected:
     // What the viewer has seen when `actions` are done and the window was left.
     ViewFigures run(const std::function<void(Person &)> &actions,
                     const std::function<void(Person &)> &leave = leave_by_escape) {
-        FramePipeline pipeline(choose_device("pthread"), window.api(), stage, scene, settings,
-                               {RungName::copy}, TextureFormat::rgba32f);
+        FramePipeline pipeline(choose_device(implementations.front()), window.api(), stage, scene,
+                               settings, {RungName::copy}, TextureFormat::rgba32f);
         Viewer viewer(window, pipeline, stage, scene, view);
         Person person(folder.path());  // before the first frame gives the window another title
         std::jthread beside([&] {
@@ -97,7 +98,9 @@ protected:
     Image rendered(const CameraDescription &camera) const {
         Scene from_there = scene;
         from_there.camera = camera;
-        return Renderer(choose_device("pthread"), stage, from_there, last_settings).render().image;
+        return Renderer(choose_device(implementations.front()), stage, from_there, last_settings)
+            .render()
+            .image;
     }
     void replace_in_kernel(const std::string &text, const std::string &with) const {
         const fs::path file = folder.path() / "stages" / stage / "kernel.cl";
@@ -251,7 +254,8 @@ TEST_F(Stage07Viewer, MissingKernelsAreToldAndLeftOut) {
 TEST_F(Stage07Viewer, TheTitleSaysWhatAFrameCosts) {
     std::string title;
     run([&title](Person &person) { title = person.title(); });
-    for (const char *part : {"01_primitives", " ms", " million rays/s", "copy", "pthread"}) {
+    for (const char *part :
+         {"01_primitives", " ms", " million rays/s", "copy", implementations.front()}) {
         EXPECT_NE(title.find(part), std::string::npos) << part << " in " << title;
     }
 }

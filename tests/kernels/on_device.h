@@ -86,7 +86,7 @@ protected:
         return {device(), file, needs, methods, decode};
     }
     static cl::Device device() { return choose_device(GetParam()); }
-    static bool on_rusticl() { return GetParam() == std::string("llvmpipe"); }
+    static bool on_rusticl() { return is_rusticl(GetParam()); }
 };
 
 inline auto each_device() {
@@ -94,7 +94,7 @@ inline auto each_device() {
 }
 
 inline std::string device_name(const testing::TestParamInfo<const char *> &info) {
-    return info.param;
+    return name_in_tests(info.param);
 }
 
 }  // namespace stagelight

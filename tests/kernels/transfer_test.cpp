@@ -45,8 +45,12 @@ protected:
                                         .run<vec4>("curves", values);
     }
 };
-INSTANTIATE_TEST_SUITE_P(In, KernelsStage08Curves,
-                         testing::Values("cpp", "glsl", implementations[0], implementations[1]),
+INSTANTIATE_TEST_SUITE_P(In, KernelsStage08Curves, testing::ValuesIn([] {
+                             std::vector<const char *> languages{"cpp", "glsl"};
+                             languages.insert(languages.end(), implementations.begin(),
+                                              implementations.end());
+                             return languages;
+                         }()),
                          device_name);
 
 // Evenly, down through all powers of ten, and step by step across sRGB's two corners.

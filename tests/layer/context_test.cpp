@@ -52,13 +52,16 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Everywhere, GlContexts,
-                         ::testing::Values(Where{"pthread", Binding::glx},
-                                           Where{"pthread", Binding::egl},
-                                           Where{"llvmpipe", Binding::glx},
-                                           Where{"llvmpipe", Binding::egl}),
+INSTANTIATE_TEST_SUITE_P(Everywhere, GlContexts, ::testing::ValuesIn([] {
+                             std::vector<Where> all;
+                             for (const char *device : implementations) {
+                                 all.push_back({device, Binding::glx});
+                                 all.push_back({device, Binding::egl});
+                             }
+                             return all;
+                         }()),
                          [](const auto &tested) {
-                             return std::string(tested.param.implementation)
+                             return name_in_tests(tested.param.implementation)
                                     + (tested.param.binding == Binding::glx ? "_glx" : "_egl");
                          });
 

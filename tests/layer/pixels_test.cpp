@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Everywhere, Pixels,
                          ::testing::Combine(::testing::ValuesIn(implementations),
                                             ::testing::Values(Binding::glx, Binding::egl)),
                          [](const auto &tested) {
-                             return std::string(std::get<0>(tested.param))
+                             return name_in_tests(std::get<0>(tested.param))
                                     + (std::get<1>(tested.param) == Binding::glx ? "_glx" : "_egl");
                          });
 

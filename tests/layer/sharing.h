@@ -62,6 +62,6 @@ GLuint make_buffer(const Bytes &contents);
 class OnEach : public ::testing::TestWithParam<const char *> {};
 #define STAGELIGHT_ON_EACH(suite)                                                          \
     INSTANTIATE_TEST_SUITE_P(Implementations, suite, ::testing::ValuesIn(implementations), \
-                             [](const auto &tested) { return std::string(tested.param); })
+                             [](const auto &tested) { return name_in_tests(tested.param); })
 
 }  // namespace stagelight

@@ -115,7 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
                                                        "vertex_texture_coordinates"}}),
         each_device()),
     [](const auto &scene) {
-        return "Stage" + std::get<0>(scene.param).stage + "_" + std::get<1>(scene.param);
+        return "Stage" + std::get<0>(scene.param).stage + "_"
+               + name_in_tests(std::get<1>(scene.param));
     });
 
 class Stage06Arguments : public OnEachDevice {
@@ -189,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      "09_acceleration", "10_full_tracer"),
                      each_device()),
     [](const auto &scene) {
-        return "Stage" + std::get<0>(scene.param) + "_" + std::get<1>(scene.param);
+        return "Stage" + std::get<0>(scene.param) + "_" + name_in_tests(std::get<1>(scene.param));
     });
 
 int need(const Scene &scene, const std::string &name) {

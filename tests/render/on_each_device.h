@@ -44,7 +44,7 @@ inline auto each_device() {
 }
 
 inline std::string device_name(const testing::TestParamInfo<const char *> &info) {
-    return info.param;
+    return name_in_tests(info.param);
 }
 
 // An empty scene of one pixel, that looks from `position` to `look_at`.

@@ -33,9 +33,7 @@ const char *const methods[] = {"error_bound", "scaled", "fixed", "integer"};
 class StabilityStage10Origin : public render::OnEachDevice {
 protected:
     // Rusticl, which takes seconds to build stage 10, shows the same of one ray at a time.
-    static const char *stage() {
-        return GetParam() == std::string("llvmpipe") ? "05_meshes" : "10_full_tracer";
-    }
+    static const char *stage() { return is_rusticl(GetParam()) ? "05_meshes" : "10_full_tracer"; }
 
     // The share of the pixels off edges that each method has wrong.
     static std::map<std::string, double> wrong_by_method(const Scene &scene,
