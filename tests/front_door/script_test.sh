@@ -24,7 +24,7 @@ make_machine() {
     printf '# a list\none  # a reason\ntwo\nthree # another\n' >"$checkout/packages.txt"
     printf '# more\nfour # for one verb\n' >"$checkout/packages_peers.txt"
     local tool
-    for tool in bash env dirname readlink sed cat mkdir nproc awk; do
+    for tool in bash env dirname readlink sed cat mkdir nproc awk mktemp rm; do
         ln -s "$(command -v $tool)" "$machine/$tool"
     done
     fake_installed one two three
@@ -63,7 +63,7 @@ test_help_names_each_command() {
         # shellcheck disable=SC2086 # no argument at all is one of the cases
         stagelight $arguments
         expect_equal "exit code of '$arguments'" 0 $code
-        for command in run test golden bench chart stability doctor help; do
+        for command in run test mutate golden bench chart stability doctor help; do
             expect_text "'$arguments' names $command" $'\n'"  $command" "$output"
         done
     done
@@ -126,6 +126,32 @@ test_test_passes_options_and_ends_with_the_summary() {
 100% tests passed" "$output"
     expect_equal "cmake builds" "cmake --build $checkout/build/release --target all" \
         "$(calls cmake | tail -n 1)"
+}
+
+# The device as a program says it, with a word on the way.
+test_test_on_one_device() {
+    # shellcheck disable=SC2016 # expanded by the fakes
+    fake cmake '
+        mkdir -p "$2/stages"
+        printf "#!/bin/bash\n[[ \$2 == gpu ]] && echo A device && exit 0\necho no such device; exit 3\n" \
+            >"$2/stages/$4"
+        /bin/chmod +x "$2/stages/$4"'
+    # shellcheck disable=SC2016 # expanded by the fake
+    fake ctest 'echo "${STAGELIGHT_DEVICE-none}: ${*:4}"'
+    STAGELIGHT_DEVICE=mine stagelight test
+    expect_equal "without the option" "none: $(nproc)" "$output"
+    stagelight test --device gpu -L stage04
+    expect_equal "exit code" 0 $code
+    expect_equal "the device, and ctest's options" "A device: $(nproc) -L stage04" "$output"
+    expect_text "said" "tests run on A device alone" "$errors"
+    : >"$log"
+    stagelight test --device abacus
+    expect_equal "exit code is the program's" 3 $code
+    expect_equal "no tests" "" "$(calls ctest)"
+    expect_equal "only what knows was built" "" "$(calls cmake | grep "target all" || true)"
+    stagelight test --device
+    expect_equal "exit code" 2 $code
+    expect_text "message" "test --device: expected" "$errors"
 }
 
 # PoCL wants the folder of its cache to exist.
