@@ -165,8 +165,8 @@ def main():
         checks = Checks(root, build, pathlib.Path(scratch))
         for mutant in chosen:
             caught, elsewhere = checks.catch(mutant)
-            results.append(mutant | {"caught": [re.sub(f"(_on_|[/_]){DEVICE}(_16_8)?$", "", check) for check in caught],
-                                     "elsewhere": elsewhere})
+            caught = [re.sub(f"(_on_|[/_]){DEVICE}(_16_8)?$", "", check) for check in caught]
+            results.append(mutant | {"caught": caught, "elsewhere": elsewhere})
             print(f"{mutant['stage']}  {mutant['name']:32} {verdict(results[-1])}", flush=True)
             (out / "mutants.json").write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     missed = [result["name"] for result in results if not result["caught"]]
