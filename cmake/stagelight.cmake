@@ -2,16 +2,28 @@
 # The functions that the rooms of the house are declared with.
 
 option(STAGELIGHT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+option(STAGELIGHT_SANITIZE_THREAD "Build with ThreadSanitizer" OFF)
+option(STAGELIGHT_FUZZ "Build what ./stagelight fuzz runs, which needs Clang" OFF)
 option(STAGELIGHT_PEERS "Build ./stagelight bench peers, which needs packages_peers.txt" OFF)
+
+set(stagelight_sanitizers "")
+if(STAGELIGHT_SANITIZE OR STAGELIGHT_FUZZ)
+  set(stagelight_sanitizers address,undefined)
+elseif(STAGELIGHT_SANITIZE_THREAD)
+  set(stagelight_sanitizers thread)
+endif()
 
 # Warnings are errors, on our own targets only.
 function(stagelight_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                            -Wnon-virtual-dtor -Wold-style-cast -Werror)
-  if(STAGELIGHT_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+  if(stagelight_sanitizers)
+    target_compile_options(${target} PRIVATE -fsanitize=${stagelight_sanitizers} -fno-sanitize-recover=all
                                              -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_link_options(${target} PUBLIC -fsanitize=${stagelight_sanitizers})
+  endif()
+  if(STAGELIGHT_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
 endfunction()
 

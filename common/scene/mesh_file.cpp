@@ -117,10 +117,6 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
     const auto refuse = [&](const std::string &what) {
         throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
     };
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-        refuse("no such file, expected a mesh");
-    }
     Log log;
     // Edges sharper than this stay edges: between a cube's 90 degrees, which are meant, and the
     // 45 of an eight-sided column, which is meant to be round.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -12,10 +11,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <unistd.h>
 
+#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
 #include "scene/mesh_materials.h"
 #include "scene/placed_mesh.h"
+#include "scene/scene_part.h"
 
 namespace stagelight {
 
@@ -50,9 +51,8 @@ void for_each_placed(const aiScene &scene, const glm::dmat4 &placing, const Visi
             for (const unsigned mesh : std::span(node->mMeshes, node->mNumMeshes)) {
                 visit(*scene.mMeshes[mesh], to_world);
             }
-            for (const aiNode *child :  // the first is visited first
-                 std::span(node->mChildren, node->mNumChildren) | std::views::reverse) {
-                open.emplace_back(child, to_world);
+            for (unsigned i = node->mNumChildren; i-- > 0;) {  // the first is visited first
+                open.emplace_back(node->mChildren[i], to_world);
             }
         }
     }
@@ -67,14 +67,13 @@ std::uint64_t most_triangles() {
                                    memory / (sizeof(Triangle) + sizeof(Vertex) / 2));
 }
 
-}  // namespace
-
-void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
+void import_here(Scene &scene, const std::filesystem::path &file, const Placement &placement,
                  int material, const SourceLocation &where) {
     const auto refuse = [&](const std::string &what) {
         throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
     };
     const MeshFile meshes(file, where);
+    allow_any_time();
     MeshMaterials materials(scene, meshes.scene(), file, where);
     const bool needs_coordinates =
         material != material_of_file
@@ -102,6 +101,26 @@ void import_mesh(Scene &scene, const std::filesystem::path &file, const Placemen
         });
     if (scene.triangles.size() == triangles_before) {
         refuse("has no triangles, expected at least one with an area");
+    }
+}
+
+}  // namespace
+
+void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
+                 int material, const SourceLocation &where) {
+    const std::string what = fmt::format("{}: {}", to_string(where), file.string());
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) {
+        throw UserError(what + ": no such file, expected a mesh");
+    }
+    const std::string part = run_apart(what, std::filesystem::file_size(file, error), [&] {
+        const SceneSizes before(scene);
+        import_here(scene, file, placement, material, where);
+        return part_since(before, scene);
+    });
+    scene.meshes.push_back({.file = file, .where = where});
+    if (!append_part(scene, part, where)) {
+        throw UserError(what + ": can't be read: the reader went astray, expected another mesh");
     }
 }
 

@@ -98,14 +98,15 @@ Look MeshMaterials::add(const aiMaterial &material, bool with_texture) {
 
 int MeshMaterials::load(const aiString &texture) {
     const SourceLocation in_mesh{.file = to_string(where_) + ": texture of " + file_.string()};
-    const auto [embedded, index] = meshes_.GetEmbeddedTextureAndIndex(texture.C_Str());
-    if (!embedded) {
+    // No structured binding: Clang 14 lets no lambda have one.
+    const std::pair found = meshes_.GetEmbeddedTextureAndIndex(texture.C_Str());
+    if (!found.first) {
         return load_texture(scene_.textures, find_texture(texture.C_Str(), file_, in_mesh),
                             in_mesh);
     }
-    const fs::path name = fs::canonical(file_).string() + '*' + std::to_string(index);
+    const fs::path name = fs::canonical(file_).string() + '*' + std::to_string(found.second);
     return texture_once(scene_.textures, name,
-                        [&] { return read_embedded(*embedded, name, in_mesh); });
+                        [&] { return read_embedded(*found.first, name, in_mesh); });
 }
 
 }  // namespace stagelight

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Libraries that read files from elsewhere crash, hang and leak on some. Here they do it apart.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace stagelight {
+
+// The bytes that `work` returns, which runs in a process of its own, with at most half of the
+// machine's memory, and time that goes by the size of the file it reads. UserErrors and
+// std::bad_alloc come back from there; if it crashes or takes longer, that is a UserError about
+// `what`, "where: file". What else it does is lost with it. Nothing that it prints is seen.
+std::string run_apart(const std::string &what, std::uintmax_t file_size,
+                      const std::function<std::string()> &work);
+
+// Called from there when the library has done its part: the rest may take its time.
+void allow_any_time();
+
+}  // namespace stagelight

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "scene/apart.h"
+
+#include <csignal>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "scene/messages.h"
+
+namespace stagelight {
+namespace {
+
+std::string apart(const std::function<std::string()> &work) {
+    return run_apart("scene.toml:3:1: a.obj", 100, work);
+}
+
+TEST(Apart, ReturnsEveryByte) {
+    std::string bytes(300'000, '\0');
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        bytes[i] = static_cast<char>(i * i / 7);
+    }
+    EXPECT_EQ(apart([&] { return bytes; }), bytes);
+    EXPECT_EQ(apart([] { return std::string(); }), "");
+}
+
+TEST(Apart, LeavesNothingBehindAndPrintsNothing) {
+    int changed = 0;
+    testing::internal::CaptureStderr();
+    apart([&] {
+        changed = 1;
+        std::cerr << "free(): invalid pointer" << std::endl;
+        return std::string();
+    });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(changed, 0);
+}
+
+TEST(Apart, ThrowsWhatWasThrownThere) {
+    EXPECT_EQ(message_of([] { apart([]() -> std::string { throw UserError("no mesh"); }); }),
+              "no mesh");
+    EXPECT_THROW(apart([]() -> std::string { throw std::bad_alloc(); }), std::bad_alloc);
+}
+
+TEST(Apart, TellsOfACrash) {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGKILL}) {
+        EXPECT_EQ(message_of([&] {
+                      apart([&] {
+                          std::raise(signal);
+                          return std::string();
+                      });
+                  }),
+                  "scene.toml:3:1: a.obj: can't be read: the reader crashed (signal "
+                      + std::to_string(signal) + "), expected an undamaged file");
+    }
+}
+
+// The kernel sends this when a limit is passed.
+TEST(Apart, TellsOfTooLongATime) {
+    EXPECT_EQ(message_of([] {
+                  apart([] {
+                      std::raise(SIGXCPU);
+                      return std::string();
+                  });
+              }),
+              "scene.toml:3:1: a.obj: can't be read: takes longer than 8 seconds, expected an "
+              "undamaged file");
+}
+
+TEST(Apart, HasHalfOfTheMemory) {
+    const auto memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES))
+                        * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    EXPECT_THROW(apart([&] {
+                     std::string bytes;
+                     bytes.reserve(memory / 2 + memory / 16);
+                     return std::to_string(bytes.capacity());
+                 }),
+                 std::bad_alloc);
+}
+
+TEST(Apart, IsAMistakeOfOursWhenItEndsOtherwise) {
+    EXPECT_THROW(apart([]() -> std::string { _exit(77); }), std::logic_error);
+}
+
+}  // namespace
+}  // namespace stagelight
