@@ -102,16 +102,17 @@ void be_fenced_in(std::uintmax_t file_size) {
     for (const int fatal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU}) {
         std::signal(fatal, SIG_DFL);  // drivers and sanitizers have handlers of their own
     }
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, seconds_for(file_size));
-    limit(RLIMIT_AS, address_space());
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);  // where glibc says that its heap is corrupt
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, seconds_for(file_size));
+    limit(RLIMIT_AS, address_space());
 }
 
-std::string outcome_of(const std::function<std::string()> &work) {
+std::string outcome_of(std::uintmax_t file_size, const std::function<std::string()> &work) {
     try {
+        be_fenced_in(file_size);
         return char(done) + work();
     } catch (const UserError &error) {
         return char(user_error) + std::string(error.what());
@@ -123,8 +124,7 @@ std::string outcome_of(const std::function<std::string()> &work) {
 // No exception may leave, back into a copy of the caller.
 [[noreturn]] void be_child(const Pipe &pipe, std::uintmax_t file_size,
                            const std::function<std::string()> &work) noexcept {
-    be_fenced_in(file_size);
-    _exit(pipe.write(outcome_of(work)) ? 0 : 1);
+    _exit(pipe.write(outcome_of(file_size, work)) ? 0 : 1);
 }
 
 int status_of(pid_t child) {

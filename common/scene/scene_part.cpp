@@ -82,6 +82,16 @@ bool are_sound(const Scene &scene, std::span<const Triangle> triangles) {
     });
 }
 
+void put(Writer &writer, const Texture &texture) {
+    writer.put(std::span<const char>(texture.file.native()));
+    writer.put(texture.width);
+    writer.put(texture.height);
+    writer.put(std::span<const char>(texture.where.file));
+    writer.put(texture.where.line);
+    writer.put(texture.where.column);
+    writer.put(std::span<const std::uint8_t>(texture.texels));
+}
+
 Texture take_texture(Reader &reader) {
     std::string file;
     Texture texture;
@@ -90,6 +100,8 @@ Texture take_texture(Reader &reader) {
     texture.width = reader.take_one<int>();
     texture.height = reader.take_one<int>();
     reader.take(texture.where.file);
+    texture.where.line = reader.take_one<unsigned>();
+    texture.where.column = reader.take_one<unsigned>();
     reader.take(texture.texels);
     return texture;
 }
@@ -117,11 +129,7 @@ std::string part_since(const SceneSizes &before, const Scene &scene) {
     }
     writer.put(scene.textures.size() - before.textures);
     for (const Texture &texture : std::span(scene.textures).subspan(before.textures)) {
-        writer.put(std::span<const char>(texture.file.native()));
-        writer.put(texture.width);
-        writer.put(texture.height);
-        writer.put(std::span<const char>(texture.where.file));
-        writer.put(std::span<const std::uint8_t>(texture.texels));
+        put(writer, texture);
     }
     return std::move(writer.bytes);
 }
@@ -149,6 +157,19 @@ bool append_part(Scene &scene, std::string_view part, const SourceLocation &wher
                                       return material.texture == no_texture
                                              || is_below(material.texture, scene.textures.size());
                                   });
+}
+
+std::string bytes_of(const Texture &texture) {
+    Writer writer;
+    put(writer, texture);
+    return std::move(writer.bytes);
+}
+
+std::optional<Texture> texture_of(std::string_view bytes) {
+    Reader reader(bytes);
+    Texture texture = take_texture(reader);
+    const bool is_whole = reader.is_sound() && reader.is_at_end() && is_sound(texture);
+    return is_whole ? std::optional(std::move(texture)) : std::nullopt;
 }
 
 }  // namespace stagelight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,5 +21,9 @@ std::string part_since(const SceneSizes &before, const Scene &scene);
 // Appends such a part to a scene of the sizes that it was made from. False if it is none: the
 // reader it is from may have gone astray.
 bool append_part(Scene &scene, std::string_view part, const SourceLocation &where);
+
+// A texture as bytes, and back, if they are one.
+std::string bytes_of(const Texture &texture);
+std::optional<Texture> texture_of(std::string_view bytes);
 
 }  // namespace stagelight

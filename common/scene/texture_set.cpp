@@ -3,15 +3,43 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/picture.h"
+#include "scene/scene_part.h"
 
 namespace stagelight {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// `file` is as the user names it.
+Texture read_file(const fs::path &canonical, const fs::path &file, const SourceLocation &where) {
+    const std::string what = fmt::format("{}: {}", to_string(where), file.string());
+    std::error_code unimportant;  // opening it will tell
+    const std::string bytes = run_apart(what, fs::file_size(canonical, unimportant), [&] {
+        std::ifstream stream(canonical, std::ios::binary);
+        if (!stream) {
+            throw UserError(
+                fmt::format("{} can't be opened, expected a picture that may be read", what));
+        }
+        return bytes_of(read_picture(stream, canonical, where));
+    });
+    std::optional<Texture> texture = texture_of(bytes);
+    if (!texture) {
+        throw UserError(what + ": can't be read: the reader went astray, expected another picture");
+    }
+    return std::move(*texture);
+}
+
+}  // namespace
 
 int texture_once(std::vector<Texture> &textures, const fs::path &name,
                  const std::function<Texture()> &read) {
@@ -32,15 +60,7 @@ int load_texture(std::vector<Texture> &textures, const fs::path &file,
         throw UserError(
             fmt::format("{}: no file {}, expected a picture", to_string(where), file.string()));
     }
-    return texture_once(textures, canonical, [&] {
-        std::ifstream stream(canonical, std::ios::binary);
-        if (!stream) {
-            throw UserError(
-                fmt::format("{}: {} can't be opened, expected a picture that may be read",
-                            to_string(where), file.string()));
-        }
-        return read_picture(stream, canonical, where);
-    });
+    return texture_once(textures, canonical, [&] { return read_file(canonical, file, where); });
 }
 
 }  // namespace stagelight
