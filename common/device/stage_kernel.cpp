@@ -125,14 +125,15 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
     try {
         program.build(options.c_str());
     } catch (const cl::BuildError &error) {
-        std::string message = "the kernel does not build:";
-        for (const auto &[device, log] : error.getBuildLog()) {
-            message += '\n' + log;
+        std::string log;
+        for (const auto &[device, text] : error.getBuildLog()) {
+            log += text.empty() ? "" : ":\n" + text;
         }
         if (from_disk) {
-            throw KernelError(message);
+            throw KernelError("the kernel does not build" + log);
         }
-        throw MachineError(message);
+        throw MachineError("the kernel does not build; try another --device (--list-devices)"
+                           + log);
     }
     return program;
 }

@@ -12,6 +12,7 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
+#include "scene/checked_files.h"
 #include "scene/errors.h"
 
 namespace stagelight {
@@ -125,7 +126,11 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
                                  aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer_.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, removed);
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    importer_.SetIOHandler(new CheckedFiles(has_read_failed_));  // it is the importer's now
     const bool is_read = importer_.ReadFile(file.string(), 0) != nullptr;
+    if (has_read_failed_) {
+        refuse("can't be read, expected a disk that gives all of it");
+    }
     if (log.dropped_faces()) {
         refuse("has an index out of range, expected indices below the number of vertices");
     }

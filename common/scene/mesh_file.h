@@ -21,6 +21,7 @@ public:
     const aiScene &scene() const { return *importer_.GetScene(); }
 
 private:
+    bool has_read_failed_ = false;  // before the importer, which holds a reference to it
     Assimp::Importer importer_;
 };
 
