@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_file.h"
 
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -149,9 +150,12 @@ std::string read_text(const std::filesystem::path &file) {
     if (!stream) {
         refuse("can't be opened: " + std::generic_category().message(errno));
     }
-    std::string text(largest_scene_file + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
+    std::string text;
+    std::array<char, 1 << 14> block{};
+    while (stream && text.size() <= largest_scene_file) {
+        stream.read(block.data(), block.size());
+        text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    }
     if (stream.bad()) {
         refuse("can't be read");
     }
