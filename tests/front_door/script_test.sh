@@ -63,7 +63,7 @@ test_help_names_each_command() {
         # shellcheck disable=SC2086 # no argument at all is one of the cases
         stagelight $arguments
         expect_equal "exit code of '$arguments'" 0 $code
-        for command in run test mutate golden bench chart stability doctor help; do
+        for command in run test mutate golden bench chart diff stability check fuzz doctor help; do
             expect_text "'$arguments' names $command" $'\n'"  $command" "$output"
         done
     done
@@ -241,6 +241,34 @@ test_bench_of_nothing_known() {
     expect_equal "exit code" 2 $code
     expect_equal "message" \
         "stagelight: bench 'speed': expected nothing, scaling, peers or interop" "$errors"
+}
+
+# One that finds something does not keep the others from their turn.
+test_fuzz_runs_each_in_a_build_of_its_own() {
+    mkdir -p "$checkout/tests/fuzz"
+    # shellcheck disable=SC2016 # expanded by the fake
+    printf 'echo "${*:2}"; [[ $3 != mesh ]]\n' >"$checkout/tests/fuzz/fuzz.sh"
+    stagelight fuzz
+    expect_equal "exit code" 1 $code
+    expect_equal "output" "60 scene
+60 mesh
+60 texture" "$output"
+    expect_text "message" "the findings are in $checkout/build/fuzz/findings" "$errors"
+    expect_equal "cmake" "cmake -S $checkout --preset fuzz --log-level=NOTICE
+cmake --build $checkout/build/fuzz --target fuzzers" "$(calls cmake)"
+    stagelight fuzz texture --seconds 3600 scene
+    expect_equal "exit code" 0 $code
+    expect_equal "output" "3600 texture
+3600 scene" "$output"
+}
+
+test_fuzz_of_nothing_known() {
+    stagelight fuzz music
+    expect_equal "exit code" 2 $code
+    expect_equal "message" "stagelight: fuzz 'music': expected scene, mesh, texture or --seconds N" "$errors"
+    stagelight fuzz --seconds soon
+    expect_equal "exit code" 2 $code
+    expect_equal "message" "stagelight: --seconds 'soon': expected a whole number" "$errors"
 }
 
 test_failed_build_shows_the_compiler() {
