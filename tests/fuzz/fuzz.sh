@@ -63,7 +63,7 @@ done
 
 # What a library gets wrong in sight of AddressSanitizer is not its finding.
 printf 'interceptor_via_lib:%s\n' libassimp libfreeimage >"$scratch/suppressions"
-export ASAN_OPTIONS=suppressions=$scratch/suppressions:log_path=$findings/sanitizer-$input
+export ASAN_OPTIONS=suppressions=$scratch/suppressions:log_path=$findings/sanitizer-$input:quarantine_size_mb=8
 export STAGELIGHT_ASSETS=$root/scenes TMPDIR=$scratch/tmp
 # The time is longer than run_apart lets a reader take, even where many programs run, and an allocation may
 # be of any size: it fails there.
