@@ -114,9 +114,9 @@ test_cmake_packages() {
 # time only: OpenCL devices and assets.
 test_run_time() {
     local program
-    for program in apt-get awk bash cat clang-format clinfo cmake ctest cut dirname dpkg-query env find \
+    for program in apt-get awk bash cat clang++ clang-format clinfo cmake cp ctest cut dirname dpkg-query env find \
         g++ grep head id ldd ln ls mkdir mktemp ninja nproc oclgrind readelf readlink realpath rm sed \
-        shellcheck sleep sort tail wc xargs Xvfb; do
+        shellcheck sleep sort tail tr wc xargs Xvfb; do
         readlink -f "$(command -v "$program")" || fail "there is no $program"
     done >"$scratch/programs"
     printf '%s\n' /etc/OpenCL/vendors/{pocl,rusticl}.icd /usr/share/{assimp/models,glmark2} |
