@@ -97,18 +97,16 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
 int export_scene(const std::string &stage, const Scene &scene, const RenderSettings &settings,
                  const std::filesystem::path &file) {
     const int number = stage_number(stage);
-    if (number == 1) {
-        throw UserError(fmt::format("--export-pov: {} shows normals, which POV-Ray does not; {} is "
-                                    "the first stage that has light",
-                                    stage, stage_name(2)));
-    }
     if (choice(settings.methods, "interior") == "paper") {
         throw UserError("--export-pov: POV-Ray has no --method interior=paper");
     }
-    export_pov(
-        scene,
-        {settings.width, settings.height, settings.max_depth, decode_of(number, settings.methods)},
-        file);
+    export_pov(scene,
+               {.width = settings.width,
+                .height = settings.height,
+                .max_depth = settings.max_depth,
+                .decode = decode_of(number, settings.methods),
+                .shows_normals = number == 1},
+               file);
     fmt::print("wrote {}\n", file.string());
     return exit_done;
 }

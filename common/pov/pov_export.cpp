@@ -48,6 +48,8 @@ std::string camera(const CameraDescription &camera, const PovSettings &settings)
                        vector(width * settings.height / settings.width * up));
 }
 
+constexpr double far = 1e4;  // times the reach: where parallel lights stand
+
 // How far from the origin anything is that has a place; a unit where all is there.
 double reach_of(const Scene &scene) {
     double reach = glm::length(scene.camera.position);
@@ -67,7 +69,7 @@ double reach_of(const Scene &scene) {
 // that is 2 f^2 / d^2, which the colour makes up for. A parallel light shines from a plane on,
 // which is far behind everything.
 std::string light(const Light &light, double reach) {
-    constexpr double near = 1e-5, far = 1e4;  // times the reach
+    constexpr double near = 1e-5;  // times the reach
     const glm::dvec3 color = light.intensity * light.color;
     if (light.type == LightType::point) {
         const double fade = near * reach;
@@ -79,16 +81,32 @@ std::string light(const Light &light, double reach) {
                        vector(-far * reach * light.direction), vector(color));
 }
 
+// Stage 01's colour of a normal, ½ + ½ N: each axis has a light that adds from its one side and one
+// that takes away from the other, without shadows; the materials' emission is the ½.
+std::string normal_lights(double reach) {
+    std::string text;
+    for (const glm::dvec3 axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+        for (const double side : {1.0, -1.0}) {
+            text += fmt::format("light_source {{ {} rgb {} parallel point_at 0 shadowless }}\n",
+                                vector(side * far * reach * axis), vector(side / 2 * axis));
+        }
+    }
+    return text;
+}
+
 // The declaration; of a material with a texture it writes the picture.
-std::string material(const Scene &scene, std::size_t number, Transfer decode,
+std::string material(const Scene &scene, std::size_t number, const PovSettings &settings,
                      const std::filesystem::path &file) {
+    if (settings.shows_normals) {
+        return pov::normals_declaration(scene.camera.position, number);
+    }
     const Material &material = scene.materials[number];
     if (material.texture == no_texture) {
         return pov::declaration(material, number);
     }
     const std::filesystem::path picture = pov::picture_of(file, number);
-    pov::write_picture(material, scene.textures[static_cast<std::size_t>(material.texture)], decode,
-                       picture);
+    pov::write_picture(material, scene.textures[static_cast<std::size_t>(material.texture)],
+                       settings.decode, picture);
     return pov::declaration(material, number, picture.filename().string());
 }
 
@@ -111,8 +129,11 @@ void export_pov(const Scene &scene, const PovSettings &settings,
     for (const Light &one : scene.lights) {
         text += light(one, reach);
     }
+    if (settings.shows_normals) {
+        text += normal_lights(reach);
+    }
     for (const std::size_t number : used) {
-        text += material(scene, number, settings.decode, file);
+        text += material(scene, number, settings, file);
     }
     text += pov::shapes(scene);
     write_whole(std::vector<unsigned char>(text.begin(), text.end()), file);

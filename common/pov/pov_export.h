@@ -15,6 +15,7 @@ struct PovSettings {
     int height = 384;  // pixels
     int max_depth = 8;
     Transfer decode = Transfer::none;  // which curve takes texels to light
+    bool shows_normals = false;        // and distances, as stage 01 does, in place of light
 };
 
 // Writes `file`, and beside it a picture in linear light for each textured material. Throws

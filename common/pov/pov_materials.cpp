@@ -111,4 +111,16 @@ std::string declaration(const Material &material, std::size_t number, const std:
                        finish_of(material));
 }
 
+// Half of what docs/shading.md has, times 2: a pattern begins anew at 1.
+std::string normals_declaration(const glm::dvec3 &eye, std::size_t number) {
+    return fmt::format(
+        "#declare far_off = function {{ sqrt(pow(x - ({}), 2) + pow(y - ({}), 2) + pow(z - ({}), "
+        "2)) }}\n"
+        "#declare material_{} = texture {{ pigment {{ function {{ 0.5 - 0.05 * (1 - cos(2 * pi * "
+        "far_off(x, y, z))) / (1 + pow(far_off(x, y, z), 2) / 50) }} color_map {{ [0 rgb 0] [1 rgb "
+        "2] }} }} "
+        "finish {{ ambient 0 emission 0.5 diffuse 1 }} }}\n",
+        eye.x, eye.y, eye.z, number);
+}
+
 }  // namespace stagelight::pov

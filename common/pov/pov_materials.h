@@ -36,5 +36,8 @@ std::string declaration(const Material &material, std::size_t number);
 // Of a material with texels, which are in the file named `picture`: material_N, and
 // sphere_material_N for spheres.
 std::string declaration(const Material &material, std::size_t number, const std::string &picture);
+// material_N as stage 01 shows it to an eye at `eye`, under lights that turn normals into colours:
+// with a contour line for each unit of distance.
+std::string normals_declaration(const glm::dvec3 &eye, std::size_t number);
 
 }  // namespace stagelight::pov

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <regex>
 
+#include <sys/wait.h>
+
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -49,6 +51,10 @@ PovRayPicture run_povray(const std::filesystem::path &scene, int width, int heig
     PovRayPicture picture;
     int status = 0;
     picture.wall = time_of([&] { status = std::system(command.c_str()); });
+    constexpr int not_found = 127;  // the shell's word
+    if (WIFEXITED(status) && WEXITSTATUS(status) == not_found) {
+        throw MachineError("there is no povray: apt-get install povray");
+    }
     if (status != 0) {
         throw MachineError(fmt::format("POV-Ray fails; {} says why", log.string()));
     }

@@ -65,6 +65,11 @@ TEST_F(PovRay, ThatFailsIsTold) {
     expect_machine_error([&] { run(); }, "a.log says why");
 }
 
+TEST_F(PovRay, ThatIsMissingIsTold) {
+    setenv("PATH", folder.path().c_str(), 1);
+    expect_machine_error([&] { run(); }, "apt-get install povray");
+}
+
 TEST_F(PovRay, ThatSaysNoTimeIsTold) {
     fake("echo nothing");
     expect_machine_error([&] { run(); }, "no Parse Time");

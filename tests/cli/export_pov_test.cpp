@@ -27,10 +27,14 @@ TEST_F(Stage02ExportPov, WritesTheSceneAndLeaves) {
     expect_part(text, "max_trace_level 3 ");
 }
 
-TEST_F(Stage01ExportPov, IsRefusedWhereThereIsNoLight) {
-    expect_one_line(run("01_primitives", {"--export-pov", "a.pov"}), users_mistake,
-                    "02_shading_shadows is the first stage that has light");
-    EXPECT_EQ(files(), Files{});
+// Which has no light, but lights that turn normals into colours.
+TEST_F(Stage01ExportPov, WritesNormalsAndDistances) {
+    expect_done(run("01_primitives", {"--export-pov", "a.pov"}));
+    EXPECT_EQ(files(), Files{"a.pov"});
+    std::ifstream stream(folder.path() / "a.pov");
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    expect_part(text, "parallel point_at 0 shadowless");
+    expect_part(text, "emission 0.5 diffuse 1");
 }
 
 TEST_F(Stage04ExportPov, IsRefusedForThePapersInterior) {

@@ -115,7 +115,7 @@ test_cmake_packages() {
 test_run_time() {
     local program
     for program in apt-get awk bash cat clang++ clang-format clinfo cmake cp ctest cut dirname dpkg-query env find \
-        g++ grep head id ldd ln ls mkdir mktemp ninja nproc oclgrind readelf readlink realpath rm sed \
+        g++ grep head id ldd ln ls mkdir mktemp ninja nproc oclgrind povray readelf readlink realpath rm sed \
         shellcheck sleep sort tail tr wc xargs Xvfb; do
         readlink -f "$(command -v "$program")" || fail "there is no $program"
     done >"$scratch/programs"

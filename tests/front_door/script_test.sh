@@ -63,7 +63,7 @@ test_help_names_each_command() {
         # shellcheck disable=SC2086 # no argument at all is one of the cases
         stagelight $arguments
         expect_equal "exit code of '$arguments'" 0 $code
-        for command in run test mutate golden bench chart diff stability check fuzz doctor help; do
+        for command in run test mutate golden bench chart diff stability povray check fuzz doctor help; do
             expect_text "'$arguments' names $command" $'\n'"  $command" "$output"
         done
     done

@@ -101,7 +101,7 @@ Bound bound_of(const std::string &scene, const std::string &device, const std::s
     const std::filesystem::path file = source_dir / "golden" / "tolerances.toml";
     const toml::table tolerances = toml::parse_file(file.string());
     std::string_view known = "every";
-    for (const std::string_view part : {"pthread", "llvmpipe"}) {
+    for (const std::string_view part : {"pthread", "llvmpipe", "povray"}) {
         known = device.find(part) != std::string::npos ? part : known;
     }
     const std::pair<std::string_view, std::string_view> places[] = {

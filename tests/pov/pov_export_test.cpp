@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene in POV-Ray's words. That POV-Ray draws it as we do is for ./stagelight bench peers to
+// A scene in POV-Ray's words. That POV-Ray draws it as we do is for tests/povray to
 // show.
 #include <cmath>
 
