@@ -31,22 +31,33 @@ bool matches_a_neighbour(const glm::vec3 &pixel, const Image &truth, int x, int 
 
 }  // namespace
 
+Outlier outlier_at(const Image &picture, const Image &truth, const std::vector<std::uint8_t> &edge,
+                   double tolerance, int x, int y) {
+    const glm::vec3 &pixel = picture.at(x, y);
+    if (error_of(pixel, truth.at(x, y)) <= tolerance) {
+        return Outlier::none;
+    }
+    if (edge[std::size_t(y) * std::size_t(truth.width) + std::size_t(x)] == 0) {
+        return Outlier::interior;
+    }
+    return matches_a_neighbour(pixel, truth, x, y, tolerance) ? Outlier::edge : Outlier::stray;
+}
+
 Outliers find_outliers(const Image &picture, const Image &truth,
                        const std::vector<std::uint8_t> &edge, double tolerance) {
     Outliers found;
     std::size_t i = 0;
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
-            const glm::vec3 &pixel = picture.at(x, y);
-            const double error = error_of(pixel, truth.at(x, y));
-            const bool outlier = !(error <= tolerance);
+            const double error = error_of(picture.at(x, y), truth.at(x, y));
+            const Outlier kind = outlier_at(picture, truth, edge, tolerance, x, y);
             if (edge[i++] == 0) {
-                found.interior += outlier;
+                found.interior += kind == Outlier::interior;
                 found.worst_interior.see(error, x, y);
-            } else if (outlier && matches_a_neighbour(pixel, truth, x, y, tolerance)) {
+            } else if (kind == Outlier::edge) {
                 ++found.edge;
                 found.worst_edge.see(error, x, y);
-            } else if (outlier) {
+            } else if (kind == Outlier::stray) {
                 ++found.strays;
                 found.worst_stray.see(error, x, y);
             }

@@ -28,8 +28,14 @@ struct Outliers {
     Worst worst_interior, worst_edge, worst_stray;
 };
 
-// The pixels of a picture beyond the tolerance of the truth: those inside surfaces, those on an
-// edge that match a pixel of the 3x3 around, and strays, on an edge too, that match none.
+// A pixel beyond the tolerance of the truth: inside a surface, on an edge where it matches a pixel
+// of the 3x3 around, or a stray, on an edge too, that matches none.
+enum class Outlier { none, interior, edge, stray };
+
+// `edge` has one byte a pixel; the pictures are of one size.
+Outlier outlier_at(const Image &picture, const Image &truth, const std::vector<std::uint8_t> &edge,
+                   double tolerance, int x, int y);
+
 Outliers find_outliers(const Image &picture, const Image &truth,
                        const std::vector<std::uint8_t> &edge, double tolerance);
 

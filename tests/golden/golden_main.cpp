@@ -9,6 +9,7 @@
 
 #include "app/run_main.h"
 #include "bench/report.h"
+#include "golden/results.h"
 #include "golden/spread.h"
 #include "golden/suite.h"
 #include "scene/errors.h"
@@ -76,13 +77,11 @@ int check() {
     const std::vector<GoldenScene> scenes = all_scenes();
     Progress progress("drawing on the device", scenes.size());
     for (const GoldenScene &scene : scenes) {
-        const stagelight::Golden golden = read_golden(scene.golden);
-        const Comparison comparison = compare(draw_device(scene, ""), golden.image, golden.edge,
-                                              tolerance_of(scene.name, "every"));
+        const Held held = hold_to_golden(scene, "");
         progress.step();
-        say(scene.name + ": " + to_string(comparison));
-        if (!comparison.failure.empty()) {
-            say("  FAILED: " + comparison.failure);
+        say(scene.name + ": " + to_string(held.comparison));
+        if (!held.failure.empty()) {
+            say("  FAILED: " + held.failure);
             code = exit_check_failed;
         }
     }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "golden/results.h"
 #include "golden/spread.h"
 #include "golden/suite.h"
 #include "image/outliers.h"
@@ -51,9 +52,9 @@ void expect_rounding_alone(const GoldenScene &scene, const std::string &device,
 
 TEST_P(Golden, DeviceMatchesGolden) {
     const auto &[scene, device] = GetParam();
-    const stagelight::Golden golden = read_golden(scene.golden);
-    expect_match(draw_device(scene, device), golden.image, golden.edge,
-                 tolerance_of(scene.name, device));
+    const Held held = hold_to_golden(scene, device);
+    EXPECT_EQ(held.failure, "") << to_string(held.comparison);
+    std::cout << to_string(held.comparison) << '\n';
 }
 
 TEST_P(Golden, DeviceMatchesReference) {

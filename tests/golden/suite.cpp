@@ -86,7 +86,7 @@ reference::Result draw_reference(const GoldenScene &golden, const Methods &metho
                                      shown_by(golden.stage));
 }
 
-Image draw_device(const GoldenScene &golden, const std::string &device, const Methods &methods) {
+Drawn draw_on(const GoldenScene &golden, const std::string &device, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
     require_learnt(scene, stage_number(golden.stage));
     RenderSettings settings;
@@ -94,7 +94,12 @@ Image draw_device(const GoldenScene &golden, const std::string &device, const Me
     settings.height = height;
     settings.max_depth = depth_of(scene, stage_number(golden.stage));
     settings.methods = methods;
-    return Renderer(choose_device(device), golden.stage, scene, settings).render().image;
+    const cl::Device chosen = choose_device(device);
+    return {chosen, Renderer(chosen, golden.stage, scene, settings).render()};
+}
+
+Image draw_device(const GoldenScene &golden, const std::string &device, const Methods &methods) {
+    return draw_on(golden, device, methods).frame.image;
 }
 
 Bound bound_of(const std::string &scene, const std::string &device, const std::string &key) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/methods.h"
+#include "device/renderer.h"
 #include "image/compare.h"
 #include "image/golden_file.h"
 #include "image/image.h"
@@ -47,6 +48,11 @@ reference::Shown shown_by(const std::string &stage);
 reference::Result draw_reference(const GoldenScene &scene, const Methods &methods = {});
 
 // The picture as the stage's kernel draws it on the device that `device` stands for (--device).
+struct Drawn {
+    cl::Device device;
+    Frame frame;
+};
+Drawn draw_on(const GoldenScene &scene, const std::string &device, const Methods &methods = {});
 Image draw_device(const GoldenScene &scene, const std::string &device, const Methods &methods = {});
 
 // A number of golden/tolerances.toml, and where it stands: "04_interior.every".
