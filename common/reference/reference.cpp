@@ -104,8 +104,8 @@ std::vector<std::vector<glm::vec3>> colors_around(const Scene &scene, const Sett
     const Tracer<double> tracer(world, settings);
     std::vector<std::vector<glm::vec3>> colors(pixels.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter): a few steps, each a third of
-        // the last
+        // A few steps, each a third of the last.
+        // NOLINTNEXTLINE(clang-analyzer-security.FloatLoopCounter)
         for (double distance = reach; distance > 1e-5; distance /= 3) {
             for (int k = 0; k < directions; ++k) {
                 const double angle = 2 * std::numbers::pi * k / directions;

@@ -34,7 +34,7 @@ glm::dvec3 color_of(const aiMaterial &material) {
 // machine that made the mesh; else on the asset path.
 fs::path find_texture(std::string name, const fs::path &mesh_file, const SourceLocation &where) {
     std::replace(name.begin(), name.end(), '\\', '/');
-    const fs::path beside = mesh_file.parent_path() / name;
+    fs::path beside = mesh_file.parent_path() / name;
     std::error_code unimportant;  // what can't be asked is not there for us
     if (fs::is_regular_file(beside, unimportant)) {
         return beside;
