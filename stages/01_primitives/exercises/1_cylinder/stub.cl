@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Exercise 01.1: the tube of the task, among the spheres and planes.
+
+// stages/01_primitives/kernel.cl
+// #region render
+#define CYLINDER_BASE (float3)(0.9f, 0.0f, 0.6f)
+#define CYLINDER_HEIGHT 1.6f
+#define CYLINDER_RADIUS 0.5f
+
+// The distance along the ray, INFINITY where it misses; the unit normal, turned to the eye.
+static float intersect_ray_cylinder(const Ray ray, float3 *normal) {
+    *normal = (float3)(0.0f);
+    return INFINITY;  // your turn
+}
+
+__kernel void render(PICTURE image, const Camera camera, SCENE_PARAMETERS) {
+    const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
+    if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
+        return;
+    }
+    const Scene scene = SCENE_ARGUMENTS;
+    const Ray ray = camera_ray(&camera, pixel);
+    const Hit hit = closest_hit(&scene, ray);
+    float3 color = XYZ(scene.background);
+    float3 normal;
+    const float distance = intersect_ray_cylinder(ray, &normal);
+    if (distance < hit.distance) {
+        Surface surface;
+        surface.normal = normal;
+        color = normals_and_distances(&surface, distance);
+    } else if (hit.shape != SHAPE_NONE) {
+        const Surface surface = surface_at(&scene, ray, hit);
+        color = normals_and_distances(&surface, hit.distance);
+    }
+    write_pixel(image, camera.size.x, pixel, color);
+}
+// #endregion render

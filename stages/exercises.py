@@ -1,0 +1,325 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""exercises.py BUILD list | prove [STAGE] | STAGE K [--solution]
+
+An exercise of a stage is a folder stages/NN_name/exercises/K_title with
+  README.md    the task, and hints in steps;
+  stub.cl      regions of the kernels, each below a comment that names its file, to be changed;
+  solution.cl  the same regions as they can come to be;
+  test.py      check(attempt), which raises Wrong until the task is done.
+An attempt is the stage's program with the kernels in which these regions are replaced. What its pictures
+must be is worked out in test.py with NumPy, in double, or measured on the picture: never by a kernel.
+"""
+import concurrent.futures
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import OpenImageIO as oiio
+
+ROOT = Path(__file__).resolve().parent.parent
+SIZE = (160, 96)
+
+
+class Wrong(Exception):
+    """What the task asks for is not there."""
+
+
+class DoesNotRun(Exception):
+    """The program ends with an error: its message."""
+
+
+# --- What tests expect with
+
+def rays(scene, size=SIZE):
+    """The eye, and of each pixel's centre the direction seen along, (height, width, 3) in world space: docs/shading.md,
+    "The camera"."""
+    camera = tomllib.loads(scene_text(scene))["camera"]
+    width, height = size
+    eye = np.array(camera["position"], float)
+    forward = unit(np.array(camera["look_at"], float) - eye)
+    right = unit(np.cross(forward, np.array(camera.get("up", [0, 1, 0]), float)))
+    up = np.cross(right, forward)
+    half = np.tan(np.radians(camera["fov"]) / 2)
+    x = half * (2 * (np.arange(width) + 0.5) / width - 1)
+    y = half * height / width * (1 - 2 * (np.arange(height) + 0.5) / height)
+    return eye, unit(forward + x[None, :, None] * right + y[:, None, None] * up)
+
+
+def unit(a):
+    return a / np.linalg.norm(a, axis=-1, keepdims=True)
+
+
+def dot(a, b):
+    return np.sum(a * b, axis=-1)
+
+
+def hit_sphere(origin, direction, center, radius):
+    """Distances along unit directions, (…,); inf where there is no hit. The quadratic equation, in double."""
+    to_eye = origin - np.array(center, float)
+    b = dot(to_eye, direction)
+    root = b * b - dot(to_eye, to_eye) + radius * radius
+    with np.errstate(invalid="ignore"):
+        near, far = -b - np.sqrt(root), -b + np.sqrt(root)
+    distance = np.where(near > 1e-6, near, far)
+    return np.where((root >= 0) & (distance > 1e-6), distance, np.inf)
+
+
+def hit_plane(origin, direction, normal, point):
+    """Distances along unit directions, (…,); inf where there is no hit."""
+    normal = unit(np.array(normal, float))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        distance = dot(np.array(point, float) - origin, normal) / dot(direction, normal)
+    return np.where(distance > 1e-6, distance, np.inf)
+
+
+def closest(scene, origin, direction):
+    """What rays with unit directions hit of the scene's spheres and planes: distance (inf: nothing), unit normal
+    turned to the eye, and index, spheres first, then planes (-1: nothing)."""
+    described = tomllib.loads(scene_text(scene))
+    distance = np.full(np.broadcast(origin, direction).shape[:-1], np.inf)
+    normal = np.zeros(distance.shape + (3,))
+    index = np.full(distance.shape, -1)
+    shapes = described.get("spheres", []) + described.get("planes", [])
+    for number, shape in enumerate(shapes):
+        if "center" in shape:
+            t = hit_sphere(origin, direction, shape["center"], shape["radius"])
+            finite = np.where(np.isfinite(t), t, 0)[..., None]
+            n = unit(origin + finite * direction - np.array(shape["center"], float))
+        else:
+            t = hit_plane(origin, direction, shape["normal"], shape["point"])
+            n = np.broadcast_to(unit(np.array(shape["normal"], float)), normal.shape)
+        nearer = t < distance
+        distance[nearer], normal[nearer], index[nearer] = t[nearer], n[nearer], number
+    normal = np.where(dot(normal, direction)[..., None] > 0, -normal, normal)
+    return distance, normal, index
+
+
+def expect(condition, what):
+    if not condition:
+        raise Wrong(what)
+
+
+def scene_text(scene):
+    """A scene is a file of scenes/, or itself the text of one."""
+    return scene if "\n" in scene else (ROOT / "scenes" / scene).read_text()
+
+
+# --- An attempt
+
+class Attempt:
+    """The program of the exercise's stage, with the regions of stub.cl or solution.cl in its kernels."""
+
+    def __init__(self, build, exercise, file, scratch):
+        self.program = build / "stages" / exercise.parent.parent.name
+        self.exercise = exercise
+        self.scratch = scratch
+        self.kernels = scratch / "attempt"
+        # Kernels built by an earlier run would hide no mistake, but these folders are not for keeps.
+        self.environment = os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_exercises")}
+        copy_kernels(self.kernels)
+        replace_regions(self.kernels, exercise / file)
+
+    def render(self, *options, scene=None, size=SIZE, original=False):
+        """The picture, linear, (height, width, 3); of the stage's default scene where none is named. original: as
+        the course's own kernels draw it."""
+        picture = self.scratch / "picture.exr"
+        self.draw(picture, *options, scene=scene, size=size, original=original)
+        return np.array(oiio.ImageBuf(str(picture)).get_pixels(oiio.FLOAT), float)[..., :3]
+
+    def draw(self, picture, *options, scene=None, size=SIZE, original=False):
+        """A file, PNG or EXR."""
+        command = [self.program]
+        if scene:
+            path = self.scratch / "scene.toml"
+            path.write_text(scene_text(scene))
+            command.append(path)
+        command += ["--size", f"{size[0]}x{size[1]}", "--out", picture, "--display", "none", *map(str, options)]
+        if not original:
+            command += ["--kernels", self.kernels]
+        environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}
+        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+        if done.returncode:
+            raise DoesNotRun(done.stderr.strip())
+
+    def expect_same(self, picture, expected, what, tolerance=2e-3, strays=0.01):
+        """Each pixel within the tolerance, but for a share of strays: float and double part at edges. All three
+        pictures are left in out/exercises/ where they differ."""
+        difference = np.abs(picture - expected).max(axis=-1)
+        wrong = ~(difference <= tolerance)  # NaN is wrong
+        if wrong.mean() <= strays:
+            return
+        folder = Path("out/exercises") / f"{self.exercise.parent.parent.name}_{self.exercise.name}"
+        write_png(folder / "yours.png", picture)
+        write_png(folder / "expected.png", expected)
+        write_png(folder / "difference.png", np.repeat(difference[..., None], 3, axis=-1))
+        y, x = np.unravel_index(np.argmax(np.nan_to_num(difference, nan=np.inf)), difference.shape)
+        raise Wrong(f"{what}: {wrong.sum()} of {wrong.size} pixels differ by more than {tolerance:g}; the worst, at "
+                    f"({x}, {y}), is {rounded(picture[y, x])} and should be {rounded(expected[y, x])}; see {folder}")
+
+
+def rounded(color):
+    return "(" + ", ".join(f"{c:.4g}" for c in color) + ")"
+
+
+def write_png(path, picture):
+    """As sRGB (IEC 61966-2-1)."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    linear = np.clip(np.nan_to_num(picture), 0, 1)
+    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    height, width = picture.shape[:2]
+    image = oiio.ImageBuf(oiio.ImageSpec(width, height, 3, oiio.UINT8))
+    image.set_pixels(oiio.ROI(), np.ascontiguousarray(encoded, np.float32))
+    image.write(str(path))
+
+
+def copy_kernels(folder):
+    for pattern in ("kernels/*.cl", "kernels/*.h", "stages/*/kernel.cl"):
+        for file in ROOT.glob(pattern):
+            copy = folder / file.relative_to(ROOT)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, copy)
+
+
+def regions_of(file):
+    """Of a stub or a solution: file, region, its first line's number, its lines."""
+    regions, target, name = [], None, None
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        if name is None and (mark := re.fullmatch(r"// ((?:kernels|stages)/[\w./]+)", line)):
+            target = mark[1]
+        elif name is None and (mark := re.fullmatch(r"// #region (\w+)", line)) and target:
+            name = mark[1]
+            regions.append((target, name, number + 1, []))
+        elif name is not None and line == f"// #endregion {name}":
+            name = None
+        elif name is not None:
+            regions[-1][3].append(line)
+        elif line and not line.startswith("//"):
+            raise DoesNotRun(f"{file.relative_to(ROOT)}:{number}: this line is in no region")
+    if name is not None or not regions:
+        raise DoesNotRun(f"{file.relative_to(ROOT)}: expected regions, each between #region and #endregion, below "
+                         "the name of their file")
+    return regions
+
+
+def replace_regions(folder, file):
+    """The compiler's messages name the exercise's file."""
+    for target, name, first, lines in regions_of(file):
+        path = folder / target
+        text = path.read_text() if path.is_file() else ""
+        marks = f"// #region {name}\n", f"// #endregion {name}\n"
+        if any(text.count(mark) != 1 for mark in marks):
+            raise DoesNotRun(f"{file.relative_to(ROOT)}: {target} has no region {name}")
+        start, end = text.index(marks[0]), text.index(marks[1])
+        after = text[:end].count("\n") + 1
+        body = [f'#line {first} "{file.relative_to(ROOT)}"', *lines, f'#line {after} "{target}"']
+        path.write_text(text[:start] + marks[0] + "\n".join(body) + "\n" + text[end:])
+
+
+# --- The commands
+
+def exercises(stage=None):
+    """Folders, in order; of one stage, by its number or name, or of all."""
+    found = sorted(ROOT.glob("stages/[0-9][0-9]_*/exercises/[0-9]*_*"))
+    return [folder for folder in found if stage in (None, folder.parts[-3], folder.parts[-3][:2])]
+
+
+def try_out(build, exercise, file):
+    """Raises Wrong or DoesNotRun where the exercise's test does."""
+    spec = importlib.util.spec_from_file_location("test", exercise / "test.py")
+    test = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(test)
+    with tempfile.TemporaryDirectory() as scratch:
+        test.check(Attempt(build, exercise, file, Path(scratch)))
+
+
+def picture_of(build, exercise, file):
+    """The stage's default scene, as the attempt draws it."""
+    with tempfile.TemporaryDirectory() as scratch:
+        attempt = Attempt(build, exercise, file, Path(scratch))
+        path = Path("out/exercises") / f"{exercise.parent.parent.name}_{exercise.name}.png"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        attempt.draw(path, size=(640, 384))
+    return path
+
+
+def name_of(exercise):
+    return f"{exercise.parts[-3][:2]} {exercise.name}"
+
+
+def show(build, exercise, file):
+    """Builds, draws, opens and tests an attempt."""
+    try:
+        path = picture_of(build, exercise, file)
+        print(f"{name_of(exercise)}: {path}")
+        if "DISPLAY" in os.environ and shutil.which("xdg-open"):
+            subprocess.Popen(["xdg-open", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try_out(build, exercise, file)
+    except (Wrong, DoesNotRun) as error:
+        print(error)
+        print(f"Not yet. The task and its hints: {(exercise / 'README.md').relative_to(ROOT)}; what to change: "
+              f"{(exercise / file).relative_to(ROOT)}")
+        return 1
+    print("Done: the test passes.")
+    return 0
+
+
+def prove_one(build, exercise):
+    """What is wrong with the exercise itself, if anything is; else what its stub fails by."""
+    try:
+        try_out(build, exercise, "stub.cl")
+        return "the stub passes", None
+    except DoesNotRun as error:
+        return f"the stub does not run: {error}", None
+    except Wrong as error:
+        failed_by = str(error)
+    try:
+        try_out(build, exercise, "solution.cl")
+    except (Wrong, DoesNotRun) as error:
+        return f"the solution fails: {error}", None
+    return None, failed_by
+
+
+def prove(build, stage):
+    failed = 0
+    chosen = exercises(stage)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for exercise, (problem, failed_by) in zip(chosen, pool.map(lambda e: prove_one(build, e), chosen)):
+            failed += problem is not None
+            print(f"{name_of(exercise)}: " + (f"FAILED: {problem}" if problem else f"solved; without, {failed_by}"),
+                  flush=True)
+    print(f"exercises: {len(chosen) - failed} passed, {failed} failed")
+    return 1 if failed or not chosen else 0
+
+
+def list_all():
+    for exercise in exercises():
+        title = (exercise / "README.md").read_text().splitlines()[0].lstrip("# ")
+        print(f"{name_of(exercise):28} {title}")
+    return 0
+
+
+def main(build, *arguments):
+    build = Path(build)
+    if arguments == ("list",):
+        return list_all()
+    if arguments[0] == "prove" and len(arguments) <= 2:
+        return prove(build, *arguments[1:] or [None])
+    chosen = [e for e in exercises(arguments[0]) if e.name.split("_")[0] == (arguments + ("",))[1]]
+    if len(chosen) != 1 or arguments[2:] not in ((), ("--solution",)):
+        print(f"stagelight: exercise {' '.join(arguments)}: expected a stage and a number of the list that "
+              "./stagelight exercise shows, and perhaps --solution", file=sys.stderr)
+        return 2
+    return show(build, chosen[0], "solution.cl" if arguments[2:] else "stub.cl")
+
+
+if __name__ == "__main__":
+    sys.modules["exercises"] = sys.modules["__main__"]  # what test.py imports
+    sys.exit(main(*sys.argv[1:]))
