@@ -44,6 +44,9 @@ public:
                 text_ += fmt::format("#line {} \"{}\"\n", number + 1, path);
             } else {
                 text_ += line + '\n';
+                if (line.starts_with("#e")) {  // #endif, #else: what was included may be left out
+                    text_ += fmt::format("#line {} \"{}\"\n", number + 1, path);
+                }
             }
         }
     }

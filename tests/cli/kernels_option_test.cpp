@@ -3,6 +3,8 @@
 #include <fstream>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "cli/picture_file.h"
 #include "cli/program.h"
 
@@ -62,18 +64,23 @@ TEST_F(Stage01Kernels, OnDiskChangeThePicture) {
     EXPECT_GT(largest_difference(usual, draw({"--kernels", "mine/"})), 0.5F);
 }
 
-// The compiler's log counts lines as the file does, before and after an #include.
+// The compiler's log counts lines as the file does: after an #include, and after one that #if
+// leaves out.
 TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
-    replace("kernels/camera.cl", "unit(direction)", "unite(direction)");
-    const std::string text = [&] {
-        std::ifstream in(folder.path() / "mine/kernels/camera.cl");
-        return std::string{std::istreambuf_iterator<char>(in), {}};
-    }();
-    const auto line = 1 + std::count(text.begin(), text.begin() + long(text.find("unite")), '\n');
-    const Outcome outcome = refused();
-    expect_part(outcome.err, "error: the kernel does not build:\n");
-    expect_part(outcome.err, "kernels/camera.cl:" + std::to_string(line) + ":");
-    expect_part(outcome.err, "unite");
+    for (const auto &[file, right] :
+         {std::pair{"kernels/camera.cl", "unit(direction)"},
+          std::pair{"kernels/closest_hit.cl", "closest.shape = SHAPE_NONE"}}) {
+        const std::string wrong = "nowhere_declared";
+        replace(file, right, wrong);
+        std::ifstream in(folder.path() / "mine" / file);
+        const std::string text{std::istreambuf_iterator<char>(in), {}};
+        const auto line = 1 + std::count(text.begin(), text.begin() + long(text.find(wrong)), '\n');
+        const Outcome outcome = refused();
+        expect_part(outcome.err, "error: the kernel does not build:\n");
+        expect_part(outcome.err, fmt::format("{}:{}:", file, line));
+        expect_part(outcome.err, wrong);
+        replace(file, wrong, right);
+    }
 }
 
 TEST_F(Stage01Kernels, ThatLackAnArgumentAreTold) {
