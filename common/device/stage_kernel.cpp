@@ -99,6 +99,7 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
     return totals;
 }
 
+// #region build_options
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods) {
     std::string options = language + " -cl-kernel-arg-info";
@@ -118,7 +119,9 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
     }
     return options + options_of(methods);
 }
+// #endregion build_options
 
+// #region build_program
 cl::Program build_program(const cl::Context &context, const std::string &source,
                           const std::string &options, bool from_disk) {
     cl::Program program(context, source);
@@ -137,6 +140,7 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
     }
     return program;
 }
+// #endregion build_program
 
 // Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
 // second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
@@ -253,6 +257,7 @@ void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
     }
 }
 
+// #region render
 void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                          const device::DoubleCamera &camera) {
     kernel_.setArg(arguments_.at("image"), image);
@@ -276,6 +281,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                                    cl::NDRange(group, group));
     }
 }
+// #endregion render
 
 // The halves have no width that a work-group of ours divides: the driver chooses one.
 void StageKernel::launch_split(const cl::CommandQueue &queue, int width, int height) {
