@@ -38,7 +38,6 @@ double Renderer::launch(int sample) {
     return now_milliseconds() - start;
 }
 
-// #endregion render
 Frame Renderer::render() {
     Frame frame;
     frame.image = Image(settings_.width, settings_.height);
@@ -57,5 +56,6 @@ Frame Renderer::render() {
                            [](const glm::vec4 &pixel) { return glm::vec3(pixel); });
     return frame;
 }
+// #endregion render
 
 }  // namespace stagelight
