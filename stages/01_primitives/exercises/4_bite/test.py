@@ -7,6 +7,10 @@ import numpy as np
 from exercises import dot, hit_plane, normals_and_distances, rays, scene_text, unit
 
 TOWARDS, SHARE = np.array([0.48, 0.6, 0.64]), 0.7
+IN_THE_BODY = """
+camera = { position = [-0.3, -0.2, -0.1], look_at = [0.5, 0.4, 0.7], fov = 140 }
+spheres = [{ center = [0, 0, 0], radius = 1 }]
+"""
 IN_THE_HOLLOW = """
 camera = { position = [0.7, 0.8, 0.9], look_at = [-0.3, -0.1, -0.2], fov = 120 }
 spheres = [{ center = [0, 0, 0], radius = 1 }]
@@ -55,5 +59,5 @@ def expected(scene):
 
 def check(attempt):
     for scene, what in (("01_primitives.toml", "the spheres with their bites"),
-                        ("01_inside.toml", "from inside a body"), (IN_THE_HOLLOW, "from the hollow of a bite")):
+                        (IN_THE_BODY, "from inside a body"), (IN_THE_HOLLOW, "from the hollow of a bite")):
         attempt.expect_same(attempt.render(scene=scene), expected(scene), what)
