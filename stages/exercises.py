@@ -111,6 +111,20 @@ def normals_and_distances(scene, distance, normal):
     return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
 
 
+def reflectance(scene, index):
+    """The materials' colours of what closest() found; black where there is nothing."""
+    described = tomllib.loads(scene_text(scene))
+    colors = [described["materials"][shape["material"]]["color"]
+              for shape in described.get("spheres", []) + described.get("planes", [])]
+    return np.array(colors + [[0, 0, 0]], float)[index]
+
+
+def lit_by(scene, *lights):
+    """The text of a scene, whose lights come last, with other lights: the number of one of its own, or one's keys."""
+    rest, *own = scene_text(scene).split("[[lights]]\n")
+    return "[[lights]]\n".join([rest] + [own[light] if isinstance(light, int) else light for light in lights])
+
+
 def expect(condition, what):
     if not condition:
         raise Wrong(what)
