@@ -102,6 +102,29 @@ def closest(scene, origin, direction):
     return distance, normal, index
 
 
+def normals_and_distances(scene, distance, normal):
+    """What stage 01 makes of closest hits: docs/shading.md, "Stage 01"."""
+    seen = np.isfinite(distance)
+    t = np.where(seen, distance, 0)
+    darkening = 0.2 * (0.5 - 0.5 * np.cos(2 * np.pi * t)) / (1 + t * t / 50)
+    background = tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0])
+    return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
+
+
+def reflectance(scene, index):
+    """The materials' colours of what closest() found; black where there is nothing."""
+    described = tomllib.loads(scene_text(scene))
+    colors = [described["materials"][shape["material"]]["color"]
+              for shape in described.get("spheres", []) + described.get("planes", [])]
+    return np.array(colors + [[0, 0, 0]], float)[index]
+
+
+def lit_by(scene, *lights):
+    """The text of a scene, whose lights come last, with other lights: the number of one of its own, or one's keys."""
+    rest, *own = scene_text(scene).split("[[lights]]\n")
+    return "[[lights]]\n".join([rest] + [own[light] if isinstance(light, int) else light for light in lights])
+
+
 def expect(condition, what):
     if not condition:
         raise Wrong(what)
@@ -132,7 +155,8 @@ class Attempt:
         the course's own kernels draw it."""
         picture = self.scratch / "picture.exr"
         self.draw(picture, *options, scene=scene, size=size, original=original)
-        return np.array(oiio.ImageBuf(str(picture)).get_pixels(oiio.FLOAT), float)[..., :3]
+        # Not as an ImageBuf: its cache takes a file written within the same second for the one before.
+        return np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
 
     def draw(self, picture, *options, scene=None, size=SIZE, original=False):
         """A file, PNG or EXR."""
