@@ -61,6 +61,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
         spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
     }
 #endif
+    // #region shade_shares
 #if HAS_REFLECTION
     const float reflected = reflected_share(&material);
     if (reflected > 0.0f) {
@@ -70,6 +71,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     const float diffuse = diffuse_share(&material);
     *direct_weight = diffuse * weight;
     return diffuse > 0.0f;
+    // #endregion shade_shares
 }
 // #endregion shade
 
