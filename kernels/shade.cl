@@ -47,6 +47,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
 #if HAS_TEXTURES
     weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
 #endif
+    // #region shade_dielectric
 #if HAS_DIELECTRIC
     weight *= transmittance(incoming->absorption, hit.distance);
     if (material.type == MATERIAL_DIELECTRIC) {
@@ -61,6 +62,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
         spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
     }
 #endif
+    // #endregion shade_dielectric
     // #region shade_shares
 #if HAS_REFLECTION
     const float reflected = reflected_share(&material);
