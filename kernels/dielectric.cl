@@ -29,9 +29,11 @@ static bool refract(const float3 direction, const float3 normal, const float rat
 #endif
 #define transmittance JOIN(transmittance_, METHOD_TRANSMISSION)
 
+// #region transmittance_exact
 static float3 transmittance_exact(const float3 absorption, const float distance) {
     return exp(-absorption * distance);
 }
+// #endregion transmittance_exact
 
 // As the device does it fastest: the error is the device's own.
 static float3 transmittance_native(const float3 absorption, const float distance) {

@@ -171,7 +171,7 @@ class Attempt:
         environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}
         done = subprocess.run(command, env=environment, capture_output=True, text=True)
         if done.returncode:
-            raise DoesNotRun(done.stderr.strip())
+            raise DoesNotRun(done.stderr.strip() or f"the program ended with {done.returncode} and no word: a crash")
 
     def expect_same(self, picture, expected, what, tolerance=2e-3, strays=0.01):
         """Each pixel within the tolerance, but for a share of strays: float and double part at edges. All three
