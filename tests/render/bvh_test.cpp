@@ -257,9 +257,11 @@ TEST_P(Stage09Picture, FromWithinTheSlabsToo) {
 }
 
 // A shadow line ends at its light: neither what is just before it nor what is behind may be taken
-// for the other.
+// for the other. One of the lights is behind a plane, and reaches nothing that is seen.
 TEST_P(Stage09Picture, WithALightAmongTheTrianglesToo) {
     Scene scene = soup(1500, 0.15);
+    add_plane(scene, {-1, 0, 0}, {0.3, 0, 0}, diffuse({1, 1, 1}));
+    add_point_light(scene, {2, 1, 1}, {1, 1, 1}, 5);
     add_point_light(scene, {0.1, 0.05, 0}, {1, 1, 1}, 1);
     add_point_light(scene, {-0.4, 0.3, 0.5}, {1, 1, 1}, 1);
     expect_same(scene, diffuse({1, 1, 1}));
