@@ -4,11 +4,13 @@
 #include "scene.cl"
 
 // #region triangle_edges
+// #region edges
 // A triangle by its first corner and the ways from there to the other two.
 typedef struct Edges {
     float3 corner;
     float3 b, c;
 } Edges;
+// #endregion edges
 
 #if BVH_WIDTH > 0
 static float3 facet_corner(const Scene *scene, const int index, const int corner) {
