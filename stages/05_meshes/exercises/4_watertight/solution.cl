@@ -3,15 +3,13 @@
 // out the same bits.
 
 // kernels/triangle.cl
-// #region edges
+// #region triangle_edges
 typedef struct Edges {
     float3 corner;
     float3 b, c;
     float3 second, third;  // corners: corner + b would be rounded
 } Edges;
-// #endregion edges
 
-// #region triangle_edges
 static Edges triangle_edges(const Scene *scene, const int index) {
     const Triangle triangle = scene->triangles[index];
     const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);

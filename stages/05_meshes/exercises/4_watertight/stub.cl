@@ -2,14 +2,12 @@
 // Exercise 05.4: a test for triangles between which no ray slips through.
 
 // kernels/triangle.cl
-// #region edges
+// #region triangle_edges
 typedef struct Edges {
     float3 corner;
     float3 b, c;
 } Edges;
-// #endregion edges
 
-// #region triangle_edges
 static Edges triangle_edges(const Scene *scene, const int index) {
     const Triangle triangle = scene->triangles[index];
     const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
