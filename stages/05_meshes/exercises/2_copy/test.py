@@ -44,7 +44,8 @@ material = "clay"
 
 def check(attempt):
     once = twice = SCENE
-    for file, size, (x, y, z), turn in (("cube.obj", 0.5, (0.2, 0.0, 0.3), 20), ("panel.obj", 0.4, (1.2, 0.1, 0.1), -30)):
+    meshes = ("cube.obj", 0.5, (0.2, 0.0, 0.3), 20), ("panel.obj", 0.4, (1.2, 0.1, 0.1), -30)
+    for file, size, (x, y, z), turn in meshes:
         once += mesh(file, size, x, y, z, turn)
         cosine, sine = math.cos(math.radians(TURN)), math.sin(math.radians(TURN))
         there = cosine * x + sine * z + PLACE[0], y + PLACE[1], cosine * z - sine * x + PLACE[2]
