@@ -73,6 +73,7 @@ typedef struct Interface {
     float3 refracted;
 } Interface;
 
+// #region interface_at
 static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
     Interface interface;
     const float ratio = surface->from_behind ? ior : 1.0f / ior;
@@ -87,6 +88,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
     fold_below(surface, &interface.refracted);
     return interface;
 }
+// #endregion interface_at
 // #endregion interface
 
 // #region spawn_dielectric

@@ -59,6 +59,7 @@ static bool has_faded(const PendingRay *ray, RayCounts *counts) {
 }
 // #endregion faded
 
+// #region push_ray
 // A ray that has faded, or is beyond the depth limit, is not traced, but it is counted.
 static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
     if (has_faded(&ray, counts)) {
@@ -71,4 +72,5 @@ static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCou
         copy_pending(&stack->rays[stack->count++], &ray);
     }
 }
+// #endregion push_ray
 // #endregion ray_stack
