@@ -8,8 +8,8 @@ SIZE = (80, 48)
 STEPS = 2000
 FLOOR = np.array([0.9, 0.8, 0.7])
 
-# Seen from above. A lamp shines through one ball, and from within another; a third is behind it, a fourth beneath the floor. One
-# is of stone.
+# Seen from above. A lamp shines through one ball, and from within another; a third is behind it, a fourth beneath
+# the floor. One is of stone.
 ROOM = f"""
 [camera]
 position = [0, 9, 0.1]

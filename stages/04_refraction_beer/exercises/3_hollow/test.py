@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A cavity in clear glass is a ball whose index is one part in that of the glass, which the course can draw. Where nothing is bent,
-the way through a shell is a difference of two chords."""
+"""A cavity in clear glass is a ball whose index is 1 by that of the glass, which the course can draw. Where nothing
+is bent, the way through a shell is a difference of two chords."""
 import re
 import numpy as np
 from exercises import dot, rays, scene_text

@@ -3,8 +3,8 @@
 
 // kernels/ray_stack.cl
 // #region stack
-// The first interface leaves four rays where there were two before; those it refracted have one channel each and split in
-// two. What it reflected lies beneath them, and splits in four only when they are all gone.
+// The first interface leaves four rays where there were two before; those that it refracted have one channel each
+// and split in two. What it reflected lies beneath them, and splits in four only when they are all gone.
 typedef struct RayStack {
     int count;
     PendingRay rays[STACK_SIZE + 2];

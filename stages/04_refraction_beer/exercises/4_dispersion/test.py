@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Each channel is that of the course's picture of glass with that channel's index."""
 import json
-import re
 import numpy as np
 from exercises import expect, scene_text
 
