@@ -40,6 +40,7 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
     }
 #endif
 #if TRIANGLE_COUNT > 0
+    // #region closest_triangle
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         float2 barycentric;
         const float distance =
@@ -49,6 +50,7 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
         }
         keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
     }
+    // #endregion closest_triangle
 #endif
     return closest;
 }

@@ -75,6 +75,7 @@ typedef struct Interface {
     float3 refracted;
 } Interface;
 
+// #region interface_at
 static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
     Interface interface;
     const float ratio = surface->from_behind ? ior : 1.0f / ior;
@@ -89,6 +90,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
     fold_below(surface, &interface.refracted);
     return interface;
 }
+// #endregion interface_at
 // #endregion interface
 
 // #region spawn_dielectric

@@ -43,10 +43,12 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
                   const Surface *surface, float3 *direct_weight, RayStack *stack,
                   RayCounts *counts TEXTURE_PARAMETER) {
     const Material material = scene->materials[surface->material];
+    // #region surface_color
     float3 weight = incoming->weight * XYZ(material.color);
 #if HAS_TEXTURES
     weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
 #endif
+    // #endregion surface_color
     // #region shade_dielectric
 #if HAS_DIELECTRIC
     weight *= transmittance(incoming->absorption, hit.distance);

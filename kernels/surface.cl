@@ -79,11 +79,13 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         finish_triangle(&surface);
     }
 #endif
+// #region sides
     surface.from_behind = dot(surface.geometric_normal, ray.direction) > 0.0f;
     if (surface.from_behind) {
         surface.normal = -surface.normal;
         surface.geometric_normal = -surface.geometric_normal;
     }
+// #endregion sides
 #if METHOD_ORIGIN_SCALED
     surface.offset = scaled_offset(ray, hit.distance);
 #endif

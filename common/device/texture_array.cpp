@@ -40,6 +40,7 @@ std::size_t wrap(std::size_t index_with_border, int size) {
     return (index_with_border + count - 1) % count;
 }
 
+// #region copy_with_border
 // The texture with its border, in the upper left corner of a layer of `width` texels a row. Alpha
 // goes the way of the others: nobody reads it.
 template <typename Channel>
@@ -59,6 +60,7 @@ void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Chann
         }
     }
 }
+// #endregion copy_with_border
 
 template <typename Channel>
 cl::Image2DArray make_image(const cl::Context &context, const std::vector<Texture> &textures,
