@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exercise 03.3, solved: Schlick's rise (An Inexpensive BRDF Model for Physically-based Rendering, 1994), for metal from its
-// colour, for varnish from its specularity.
+// Exercise 03.3, solved: Schlick's rise (An Inexpensive BRDF Model for Physically-based Rendering, 1994), for
+// metal from its colour, for varnish from its specularity.
 
 // kernels/shade.cl
 // #region shade_shares

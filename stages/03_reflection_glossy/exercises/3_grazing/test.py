@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A ball alone reflects nothing but the sky: of that its share is Schlick's, at an angle known from the ball's geometry."""
+"""A ball alone reflects nothing but the sky: its share of that is Schlick's, at an angle known from geometry."""
 import numpy as np
 from exercises import closest, dot, rays
 

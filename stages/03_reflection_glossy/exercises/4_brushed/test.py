@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A mirror on a wall shows the horizon, far away. The share of sky in a bundle is the part of the disc above a straight line: a
-circle's segment, in closed form."""
+"""A mirror on a wall shows the horizon, far away. The share of sky in a bundle is the part of the disc above a
+straight line: a circle's segment, in closed form."""
 import json
 import numpy as np
 from exercises import expect, rays, unit
