@@ -20,7 +20,7 @@ USUAL_WORDS = (1200, 2500)
 EXERCISES, EXERCISES_OF_STAGE = 30, 3
 # Other people's names, which no source of ours has.
 FOREIGN = set((DOCS / "foreign_words.txt").read_text().split())
-PATH = re.compile(r"[\w./*-]*\.(?:cl|cpp|h|toml|py|sh|md|txt|exr|obj|cmake|mts|vue)\b")
+PATH = re.compile(r"[\w./*-]*[\w*]\.(?:cl|cpp|h|toml|py|sh|md|txt|exr|obj|cmake|mts|vue)\b")
 
 problems = []
 
