@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exercise 06.3, solved: the normal of the plane through four neighbours, each lifted to its height (after Blinn, Simulation
-// of Wrinkled Surfaces, 1978).
+// Exercise 06.3, solved: the normal of the plane through four neighbours, each lifted to its height (after Blinn,
+// Simulation of Wrinkled Surfaces, 1978).
 
 // kernels/trace.cl
 // #region hit_surface
