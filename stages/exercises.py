@@ -147,6 +147,29 @@ def bilinear(texels, u, v):
     return (1 - down) * rows[0] + down * rows[1]
 
 
+def normals_and_distances(scene, distance, normal):
+    """What stage 01 makes of closest hits: docs/shading.md, "Stage 01"."""
+    seen = np.isfinite(distance)
+    t = np.where(seen, distance, 0)
+    darkening = 0.2 * (0.5 - 0.5 * np.cos(2 * np.pi * t)) / (1 + t * t / 50)
+    background = tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0])
+    return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
+
+
+def reflectance(scene, index):
+    """The materials' colours of what closest() found; black where there is nothing."""
+    described = tomllib.loads(scene_text(scene))
+    colors = [described["materials"][shape["material"]]["color"]
+              for shape in described.get("spheres", []) + described.get("planes", [])]
+    return np.array(colors + [[0, 0, 0]], float)[index]
+
+
+def lit_by(scene, *lights):
+    """The text of a scene, whose lights come last, with other lights: the number of one of its own, or one's keys."""
+    rest, *own = scene_text(scene).split("[[lights]]\n")
+    return "[[lights]]\n".join([rest] + [own[light] if isinstance(light, int) else light for light in lights])
+
+
 def expect(condition, what):
     if not condition:
         raise Wrong(what)
@@ -177,7 +200,7 @@ class Attempt:
         the course's own kernels draw it."""
         picture = self.scratch / "picture.exr"
         self.draw(picture, *options, scene=scene, size=size, original=original)
-        # Not as an ImageBuf, whose cache takes a file written anew within the same second for the one before.
+        # Not as an ImageBuf: its cache takes a file written within the same second for the one before.
         return np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
 
     def draw(self, picture, *options, scene=None, size=SIZE, original=False):
@@ -193,7 +216,7 @@ class Attempt:
         environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}
         done = subprocess.run(command, env=environment, capture_output=True, text=True)
         if done.returncode:
-            raise DoesNotRun(done.stderr.strip())
+            raise DoesNotRun(done.stderr.strip() or f"the program ended with {done.returncode} and no word: a crash")
 
     def expect_same(self, picture, expected, what, tolerance=2e-3, strays=0.01):
         """Each pixel within the tolerance, but for a share of strays: float and double part at edges. All three

@@ -119,6 +119,7 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
     return options + options_of(methods);
 }
 
+// #region build_program
 cl::Program build_program(const cl::Context &context, const std::string &source,
                           const std::string &options, bool from_disk) {
     cl::Program program(context, source);
@@ -137,6 +138,7 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
     }
     return program;
 }
+// #endregion build_program
 
 // Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
 // second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
@@ -265,6 +267,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
     if (plain_textures_) {
         launch_split(queue, width, height);
     } else {
+        // #region launch
         const int tile_width = TILE_WIDTH_OF(width_);
         const int tile_height = width_ / tile_width;
         const int tiles = PACKETS_IN_ROW_OF(width_);  // and as many below each other
@@ -274,6 +277,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                                    cl::NDRange(work_items(width, tiles * tile_width, group),
                                                work_items(height, tiles * tile_height, group)),
                                    cl::NDRange(group, group));
+        // #endregion launch
     }
 }
 
