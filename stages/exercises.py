@@ -131,6 +131,22 @@ def closest(scene, origin, direction):
     return distance, normal, index
 
 
+def texels_of(picture):
+    """Of a picture of scenes/, its values from 0 to 1, (height, width, 3)."""
+    return oiio.ImageInput.open(str(ROOT / "scenes" / picture)).read_image(oiio.FLOAT).astype(float)[..., :3]
+
+
+def bilinear(texels, u, v):
+    """The colours at texture coordinates, (…,) each: docs/shading.md, "Textures"."""
+    height, width = texels.shape[:2]
+    x, y = u * width - 0.5, v * height - 0.5
+    column, row = np.floor(x).astype(int), np.floor(y).astype(int)
+    across, down = (x - column)[..., None], (y - row)[..., None]
+    rows = [(1 - across) * texels[j % height, column % width] + across * texels[j % height, (column + 1) % width]
+            for j in (row, row + 1)]
+    return (1 - down) * rows[0] + down * rows[1]
+
+
 def normals_and_distances(scene, distance, normal):
     """What stage 01 makes of closest hits: docs/shading.md, "Stage 01"."""
     seen = np.isfinite(distance)
