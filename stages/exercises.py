@@ -132,7 +132,8 @@ class Attempt:
         the course's own kernels draw it."""
         picture = self.scratch / "picture.exr"
         self.draw(picture, *options, scene=scene, size=size, original=original)
-        return np.array(oiio.ImageBuf(str(picture)).get_pixels(oiio.FLOAT), float)[..., :3]
+        # Not as an ImageBuf: its cache takes a file written within the same second for the one before.
+        return np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
 
     def draw(self, picture, *options, scene=None, size=SIZE, original=False):
         """A file, PNG or EXR."""
