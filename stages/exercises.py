@@ -26,6 +26,7 @@ import OpenImageIO as oiio
 
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = (160, 96)
+LIMIT = 120  # seconds that a program may take
 
 
 class Wrong(Exception):
@@ -214,7 +215,10 @@ class Attempt:
         if not original:
             command += ["--kernels", self.kernels]
         environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+        try:
+            done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            raise DoesNotRun(f"the program does not end within {LIMIT} s") from None
         if done.returncode:
             raise DoesNotRun(done.stderr.strip() or f"the program ended with {done.returncode} and no word: a crash")
 
