@@ -26,6 +26,7 @@ Codes<std::uint8_t> undecoded_codes() {
     return codes;
 }
 
+// #region decoded_codes
 Codes<cl_half> decoded_codes(Transfer decode) {
     Codes<cl_half> codes{};
     for (std::size_t code = 0; code < codes.size(); ++code) {
@@ -34,6 +35,7 @@ Codes<cl_half> decoded_codes(Transfer decode) {
     }
     return codes;
 }
+// #endregion decoded_codes
 
 std::size_t wrap(std::size_t index_with_border, int size) {
     const auto count = static_cast<std::size_t>(size);
