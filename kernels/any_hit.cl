@@ -29,12 +29,14 @@ static bool any_hit_ray(const Scene *scene, const Ray ray) {
     }
 #endif
 #if TRIANGLE_COUNT > 0
+    // #region ray_any_triangle
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         float2 barycentric;
         if (intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric) < INFINITY) {
             return true;
         }
     }
+    // #endregion ray_any_triangle
 #endif
     return false;
 }
@@ -59,11 +61,13 @@ static bool any_hit_line(const Scene *scene, const Line line) {
     }
 #endif
 #if TRIANGLE_COUNT > 0
+    // #region line_any_triangle
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         if (intersect_line_triangle(line, triangle_edges(scene, i))) {
             return true;
         }
     }
+    // #endregion line_any_triangle
 #endif
     return false;
 }

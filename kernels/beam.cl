@@ -67,6 +67,7 @@ static int bits_of(const JOIN(LANE_INT, BVH_WIDTH) mask) {
 // them is not a number.
 #define SMALLEST_DIRECTION 1e-24f
 
+// #region slab_axis
 typedef struct SlabAxis {
     Wide inverse;  // of the direction
     Wide low, high;
@@ -86,6 +87,7 @@ static SlabAxis slab_axis(const Wide origin, const Wide direction) {
     const SlabAxis axis = {inverse, -(origin + room) * inverse, -(origin - room) * inverse};
     return axis;
 }
+// #endregion slab_axis
 
 static SlabRays slab_rays(const WideRays *rays) {
     const SlabRays slabs = {slab_axis(rays->origin.x, rays->direction.x),
@@ -94,6 +96,7 @@ static SlabRays slab_rays(const WideRays *rays) {
     return slabs;
 }
 
+// #region enter_box
 // Which rays are in the box of one child anywhere before `limit`.
 static WideInt enter_box(__global const BvhNode *node, const int child, const SlabRays *rays,
                          const Wide limit) {
@@ -109,6 +112,7 @@ static WideInt enter_box(__global const BvhNode *node, const int child, const Sl
     const Wide leave = LESSER(leave_xy, LESSER(GREATER(low_z, high_z), limit));
     return enter <= leave;
 }
+// #endregion enter_box
 // #endregion slab
 
 // #region beam
@@ -258,6 +262,7 @@ static Boxes at_planes(const Boxes planes, const Bound all) {
     return FUSED(planes, (Boxes)(get_packet(all.inverse, 0)), (Boxes)(get_packet(all.offset, 0)));
 }
 
+// #region beam_enters
 // Which children's boxes the beam is in anywhere before `limit`, a bit for each, and where it enters
 // them at the earliest.
 static int enter_boxes(__global const BvhNode *node, const Beam *beam, const float limit,
@@ -280,6 +285,7 @@ static int enter_boxes(__global const BvhNode *node, const Beam *beam, const flo
     }
     return bits_of(*enter <= leave);
 }
+// #endregion beam_enters
 
 // Which packets are in the box of a child anywhere before their limits, a bit for each.
 static int packets_in(__global const BvhNode *node, const int child, const Beam *beam,

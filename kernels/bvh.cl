@@ -31,6 +31,7 @@ typedef struct WaitingNodes {
     int count;
 } WaitingNodes;
 
+// #region let_wait
 // Among those from `bottom` on, at its place by distance.
 static void let_wait(WaitingNodes *waiting, const int bottom, const uint node, const float enter) {
     int place = waiting->count++;
@@ -41,6 +42,7 @@ static void let_wait(WaitingNodes *waiting, const int bottom, const uint node, c
     waiting->node[place] = node;
     waiting->enter[place] = enter;
 }
+// #endregion let_wait
 // #endregion waiting_nodes
 
 // #region walk
@@ -69,6 +71,7 @@ static void walk_down(const Scene *scene, WideRays *rays, const TriangleRays *sh
     }
     int nodes_left = alone == ALL_PACKETS ? NODES_TOGETHER(beam) : INT_MAX;
 #endif
+    // #region walk_loop
     while (waiting->count > 0) {
 #if PACKETS > 1
         if (nodes_left-- == 0) {
@@ -79,7 +82,9 @@ static void walk_down(const Scene *scene, WideRays *rays, const TriangleRays *sh
         if (waiting->enter[bottom] >= limit) {
             continue;  // all rays have hit something before it
         }
+        // #region look_into
         __global const BvhNode *node = &scene->bvh_nodes[waiting->node[bottom]];
+        // #endregion look_into
         Boxes enter;
         float enters[BVH_WIDTH];
         int found = enter_boxes(node, beam, limit, &enter);
@@ -110,6 +115,7 @@ static void walk_down(const Scene *scene, WideRays *rays, const TriangleRays *sh
             limit = largest_packet(limits);
         }
     }
+    // #endregion walk_loop
 }
 
 static void walk(const Scene *scene, WideRays *rays, WideHits *closest) {

@@ -9,6 +9,7 @@
 #endif
 
 // #region closest_hit
+// #region keep_closer
 static void keep_closer(Hit *closest, const float distance, const Shape shape, const int index) {
     if (distance < closest->distance) {
         closest->distance = distance;
@@ -16,11 +17,13 @@ static void keep_closer(Hit *closest, const float distance, const Shape shape, c
         closest->index = index;
     }
 }
+// #endregion keep_closer
 
 static Hit closest_hit(const Scene *scene, const Ray ray) {
     Hit closest;
     closest.distance = INFINITY;
     closest.shape = SHAPE_NONE;
+// #region each_sphere
 #if SPHERE_COUNT > 0
     for (int i = 0; i < SPHERE_COUNT; ++i) {
         const Sphere sphere = scene->spheres[i];
@@ -28,6 +31,7 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
                     SHAPE_SPHERE, i);
     }
 #endif
+// #endregion each_sphere
 #if PLANE_COUNT > 0
     for (int i = 0; i < PLANE_COUNT; ++i) {
         const Plane plane = scene->planes[i];
@@ -36,6 +40,7 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
     }
 #endif
 #if TRIANGLE_COUNT > 0
+    // #region closest_triangle
     for (int i = 0; i < TRIANGLE_COUNT; ++i) {
         float2 barycentric;
         const float distance =
@@ -45,6 +50,7 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
         }
         keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
     }
+    // #endregion closest_triangle
 #endif
     return closest;
 }

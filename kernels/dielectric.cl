@@ -29,9 +29,11 @@ static bool refract(const float3 direction, const float3 normal, const float rat
 #endif
 #define transmittance JOIN(transmittance_, METHOD_TRANSMISSION)
 
+// #region transmittance_exact
 static float3 transmittance_exact(const float3 absorption, const float distance) {
     return exp(-absorption * distance);
 }
+// #endregion transmittance_exact
 
 // As the device does it fastest: the error is the device's own.
 static float3 transmittance_native(const float3 absorption, const float distance) {
@@ -73,6 +75,7 @@ typedef struct Interface {
     float3 refracted;
 } Interface;
 
+// #region interface_at
 static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
     Interface interface;
     const float ratio = surface->from_behind ? ior : 1.0f / ior;
@@ -87,6 +90,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
     fold_below(surface, &interface.refracted);
     return interface;
 }
+// #endregion interface_at
 // #endregion interface
 
 // #region spawn_dielectric

@@ -9,6 +9,7 @@ typedef struct Illumination {
 } Illumination;
 
 #if HAS_POINT_LIGHT
+// #region point_light
 // Inverse square falloff, windowed to end at the range without a step (Lagarde and de
 // Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 3.1.3).
 static Illumination point_light_at(const Light light, const float3 position) {
@@ -20,6 +21,7 @@ static Illumination point_light_at(const Light light, const float3 position) {
                                        XYZ(light.color) * (window * window / (distance * distance))};
     return illumination;
 }
+// #endregion point_light
 #endif
 
 #if HAS_DIRECTIONAL_LIGHT

@@ -13,12 +13,14 @@
 // #endregion leave
 
 // #region leave_error_bound
+// #region add_offset
 // By no more than rounding can have moved the position along the normal, and can move where the next ray
 // meets the same shape (after Pharr, Jakob and Humphreys, Physically Based Rendering, 3rd edition, section
 // 3.9): `offset` is that bound, which each shape works out from its own numbers.
 static float3 leave_error_bound(const float3 position, const float3 normal, const float offset) {
     return position + offset * normal;
 }
+// #endregion add_offset
 
 // What `count` roundings in a row do to a number, at the most (section 3.9.1 there). The maps of Baldwin
 // and Weber were rounded to float on the host.
@@ -29,12 +31,14 @@ static float3 leave_error_bound(const float3 position, const float3 normal, cons
 #endif
 #define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
 
+// #region error_along
 // Of a position that is off by up to `error` along each axis, itself to be rounded once more: how far off
 // along the normal, of any length.
 static float error_along(const float3 normal, const float3 position, const float3 error) {
     const float3 moved = error + GAMMA(2.0f) * fabs(position);
     return dot(fabs(normal), moved) * rsqrt(dot(normal, normal));
 }
+// #endregion error_along
 // #endregion leave_error_bound
 
 // #region leave_scaled

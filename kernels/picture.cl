@@ -10,9 +10,11 @@ static void write_pixel(PICTURE image, const int width, const int2 pixel, const 
     write_imagef(image, pixel, convert_float4((float4)(color, 1.0f)));
 }
 #else
+// #region picture_buffer
 #define PICTURE __global Single4 *
 static void write_pixel(PICTURE image, const int width, const int2 pixel, const float3 color) {
     image[pixel.y * width + pixel.x] = convert_float4((float4)(color, 1.0f));
 }
+// #endregion picture_buffer
 #endif
 // #endregion write_pixel

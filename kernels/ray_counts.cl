@@ -5,9 +5,11 @@
 // #region ray_counts
 // Adds one work-item's counts to those of its row, which its neighbours add to as well.
 static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
+// #region shadow_count
     if (counts.shadow > 0) {
         atomic_add(&row->shadow, counts.shadow);
     }
+// #endregion shadow_count
     if (counts.reflection > 0) {
         atomic_add(&row->reflection, counts.reflection);
     }

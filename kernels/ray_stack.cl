@@ -4,6 +4,7 @@
 #include "ray.cl"
 
 // #region ray_stack
+// #region pending_ray
 typedef struct PendingRay {
     Ray ray;
     float3 weight;  // what its light is multiplied by on the way to the pixel
@@ -12,13 +13,16 @@ typedef struct PendingRay {
     float3 absorption;  // of the medium that it runs in
 #endif
 } PendingRay;
+// #endregion pending_ray
 
+// #region stack
 // The host knows what a scene's rays can spawn: where each spawns one at most, one place
 // will do; where a ray may split in two, one of each depth can be left waiting.
 typedef struct RayStack {
     int count;
     PendingRay rays[STACK_SIZE];
 } RayStack;
+// #endregion stack
 
 static PendingRay primary_ray(const Ray ray) {
     PendingRay primary;
@@ -59,6 +63,7 @@ static bool has_faded(const PendingRay *ray, RayCounts *counts) {
 }
 // #endregion faded
 
+// #region push_ray
 // A ray that has faded, or is beyond the depth limit, is not traced, but it is counted.
 static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
     if (has_faded(&ray, counts)) {
@@ -71,4 +76,5 @@ static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCou
         copy_pending(&stack->rays[stack->count++], &ray);
     }
 }
+// #endregion push_ray
 // #endregion ray_stack

@@ -4,11 +4,14 @@
 #include "ray_stack.cl"
 
 // #region reflect
+// #region law_of_reflection
 // The law of reflection; `normal` may be on either side of the surface.
 static float3 reflect(const float3 direction, const float3 normal) {
     return direction - 2.0f * dot(direction, normal) * normal;
 }
+// #endregion law_of_reflection
 
+// #region reflected_ray
 // On a smooth mesh the shading normal may lean so far that the reflected ray would dive
 // beneath the facet: it is folded back up, without a step where that begins.
 static Ray reflected_ray(const Surface *surface, const float3 direction) {
@@ -19,6 +22,7 @@ static Ray reflected_ray(const Surface *surface, const float3 direction) {
     const Ray ray = {origin_off(surface, surface->geometric_normal), unit(reflected)};
     return ray;
 }
+// #endregion reflected_ray
 // #endregion reflect
 
 // #region spawn_reflected

@@ -24,11 +24,13 @@ typedef Single4 StoredNormal;
 // #endregion storage
 
 // #region scene_fields
+// #region sphere_fields
 #if SPHERE_COUNT > 0
 #define SPHERE_FIELDS(FIELD) FIELD(__global const Sphere *, spheres)
 #else
 #define SPHERE_FIELDS(FIELD)
 #endif
+// #endregion sphere_fields
 
 #if PLANE_COUNT > 0
 #define PLANE_FIELDS(FIELD) FIELD(__global const Plane *, planes)

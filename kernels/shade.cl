@@ -43,10 +43,13 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
                   const Surface *surface, float3 *direct_weight, RayStack *stack,
                   RayCounts *counts TEXTURE_PARAMETER) {
     const Material material = scene->materials[surface->material];
+    // #region surface_color
     float3 weight = incoming->weight * XYZ(material.color);
 #if HAS_TEXTURES
     weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
 #endif
+    // #endregion surface_color
+    // #region shade_dielectric
 #if HAS_DIELECTRIC
     weight *= transmittance(incoming->absorption, hit.distance);
     if (material.type == MATERIAL_DIELECTRIC) {
@@ -61,6 +64,8 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
         spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
     }
 #endif
+    // #endregion shade_dielectric
+    // #region shade_shares
 #if HAS_REFLECTION
     const float reflected = reflected_share(&material);
     if (reflected > 0.0f) {
@@ -70,6 +75,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     const float diffuse = diffuse_share(&material);
     *direct_weight = diffuse * weight;
     return diffuse > 0.0f;
+    // #endregion shade_shares
 }
 // #endregion shade
 

@@ -12,6 +12,7 @@
 
 // #region surface_at
 #if SPHERE_COUNT > 0
+// #region sphere_surface
 // The hit point is put back onto the sphere: far away, the distance alone would miss it.
 static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
     const float3 center = XYZ(sphere.center);
@@ -26,6 +27,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
 #endif
 }
+// #endregion sphere_surface
 #endif
 
 #if PLANE_COUNT > 0
@@ -77,11 +79,13 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         finish_triangle(&surface);
     }
 #endif
+// #region sides
     surface.from_behind = dot(surface.geometric_normal, ray.direction) > 0.0f;
     if (surface.from_behind) {
         surface.normal = -surface.normal;
         surface.geometric_normal = -surface.geometric_normal;
     }
+// #endregion sides
 #if METHOD_ORIGIN_SCALED
     surface.offset = scaled_offset(ray, hit.distance);
 #endif

@@ -16,15 +16,18 @@ __constant sampler_t texel_sampler =
 #endif
 #define filtered JOIN(filtered_, METHOD_FILTERING)
 
+// #region filtered_sampler
 static float3 filtered_sampler(const float2 texel, const float layer TEXTURE_PARAMETER) {
     return XYZ(read_imagef(textures, texel_sampler, convert_float4((float4)(texel, layer, 0.0f))));
 }
+// #endregion filtered_sampler
 
 // In float, whatever precision the device's filter has: OpenCL asks for no more than 8 bits of its
 // weights (specification 1.2, section 8.2).
 __constant sampler_t nearest_sampler =
     CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
 
+// #region filtered_hand
 static float3 nearest_texel(const float2 place, const float layer TEXTURE_PARAMETER) {
     return XYZ(
         read_imagef(textures, nearest_sampler, convert_float4((float4)(place, layer, 0.0f))));
@@ -41,6 +44,7 @@ static float3 filtered_hand(const float2 texel, const float layer TEXTURE_PARAME
     const float3 d = nearest_texel(far, layer TEXTURE_ARGUMENT);
     return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
+// #endregion filtered_hand
 // #endregion filtered
 
 // #region texture_color
@@ -48,8 +52,10 @@ static float3 texture_color(const Material *material, const float2 coordinates T
     if (material->texture < 0) {
         return (float3)(1.0f);
     }
+    // #region wrapped
     const float2 wrapped = coordinates - floor(coordinates);
     const float2 texel = wrapped * XY(material->texture_size) + 1.0f;
+    // #endregion wrapped
     return filtered(texel, convert_float(material->texture) TEXTURE_ARGUMENT);
 }
 // #endregion texture_color

@@ -15,12 +15,18 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEX
         const PendingRay incoming = stack.rays[--stack.count];
         const Hit hit = closest_hit(scene, incoming.ray);
         if (hit.shape == SHAPE_NONE) {
+            // #region miss
             color += incoming.weight * XYZ(scene->background);
+            // #endregion miss
         } else {
+            // #region hit_surface
             const Surface surface = surface_at(scene, incoming.ray, hit);
+            // #endregion hit_surface
             float3 weight;
             if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts TEXTURE_ARGUMENT)) {
+                // #region direct
                 color += weight * direct_light(scene, &surface, counts);
+                // #endregion direct
             }
         }
     }

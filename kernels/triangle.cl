@@ -4,11 +4,13 @@
 #include "scene.cl"
 
 // #region triangle_edges
+// #region edges
 // A triangle by its first corner and the ways from there to the other two.
 typedef struct Edges {
     float3 corner;
     float3 b, c;
 } Edges;
+// #endregion edges
 
 #if BVH_WIDTH > 0
 static float3 facet_corner(const Scene *scene, const int index, const int corner) {
@@ -36,6 +38,7 @@ static Edges triangle_edges(const Scene *scene, const int index) {
 // sides. `determinant` shrinks with the square of the triangle's size, so it is compared with zero
 // and nothing else: any other threshold would make small meshes vanish. Every comparison is false
 // for a NaN.
+// #region moller_trumbore
 static float moller_trumbore(const float3 origin, const float3 along, const Edges triangle,
                              float2 *barycentric) {
     const float3 p = cross(along, triangle.c);
@@ -58,6 +61,7 @@ static float moller_trumbore(const float3 origin, const float3 along, const Edge
     *barycentric = (float2)(b, c);
     return t > 0.0f ? t : INFINITY;
 }
+// #endregion moller_trumbore
 
 static float intersect_ray_triangle(const Ray ray, const Edges triangle, float2 *barycentric) {
     return moller_trumbore(ray.origin, ray.direction, triangle, barycentric);
@@ -84,9 +88,11 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
     const float c = hit.barycentric.y;
     const float a = 1.0f - b - c;
     surface->position = edges.corner + b * edges.b + c * edges.c;
+    // #region blended_normal
     surface->normal = a * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[0])
                       + b * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[1])
                       + c * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[2]);
+    // #endregion blended_normal
     surface->geometric_normal = cross(edges.b, edges.c);
     // The sum is rounded by its parts; the next test of this triangle, by its extent.
     const float3 extent = max(fabs(edges.b), fabs(edges.c));
@@ -94,6 +100,7 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
                                   GAMMA(6.0f) * (fabs(edges.corner) + extent)
                                       + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
+    // #region mesh_coordinates
 #if HAS_MESH_TEXTURES
     surface->texture_coordinates = a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
                                    + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
@@ -101,12 +108,15 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
 #elif HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);
 #endif
+    // #endregion mesh_coordinates
 }
 
+// #region finish_triangle
 // The facet's normal is on the side of the vertices' normals, whichever way round the corners are.
 static void finish_triangle(Surface *surface) {
     surface->normal = unit(surface->normal);
     const float3 facet = unit(surface->geometric_normal);
     surface->geometric_normal = dot(facet, surface->normal) < 0.0f ? -facet : facet;
 }
+// #endregion finish_triangle
 // #endregion triangle_surface

@@ -271,11 +271,13 @@ static Wide3 wide_unit_native(const Wide3 a) {
 // #endregion wide3
 
 // #region wide_rays
+// #region packet
 // A packet of rays. A lane without a ray has a limit below 0, and hits nothing.
 typedef struct WideRays {
     Wide3 origin, direction;
     Wide limit;  // in lengths of the direction: what is hit beyond does not count
 } WideRays;
+// #endregion packet
 
 static WideRays no_rays(void) {
     WideRays rays;
@@ -291,6 +293,7 @@ typedef struct WideHits {
     Wide barycentric_b, barycentric_c;
 } WideHits;
 
+// #region wide_keep_closer
 // What is closer than a ray's limit is kept, and becomes it. In which lanes it was.
 static WideInt keep_closer(WideRays *rays, WideHits *closest, const Wide distance,
                            const Shape shape, const int index) {
@@ -300,6 +303,7 @@ static WideInt keep_closer(WideRays *rays, WideHits *closest, const Wide distanc
     closest->index = closer ? (WideInt)(index) : closest->index;
     return closer;
 }
+// #endregion wide_keep_closer
 
 static void block(WideRays *rays, const WideInt blocked) {
     rays->limit = blocked ? (Wide)(-1.0f) : rays->limit;

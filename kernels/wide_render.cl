@@ -61,7 +61,9 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     }
     RayCounts counts = {0, 0, 0, 0, 0, 0};
     Wide3 colors[PACKETS];
+    // #region trace_block
     trace_packets(&scene, rays, colors, &counts TEXTURE_ARGUMENT);
+    // #endregion trace_block
     // Before the pixels: an atomic waits until all that was written has arrived.
     add_ray_counts(&ray_counts[row_for_counts(camera.size.y)], counts);
     for (int packet = 0; packet < PACKETS; ++packet) {

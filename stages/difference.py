@@ -92,7 +92,7 @@ def pieces_of(lines):
     piece = []
     depth = 0
     for line in lines:
-        if re.match(r"// (#(end)?region|SPDX)", line):
+        if re.match(r"\s*// (#(end)?region|SPDX)", line):
             continue
         piece.append(line)
         code = code_of(line)

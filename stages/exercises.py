@@ -26,6 +26,7 @@ import OpenImageIO as oiio
 
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = (160, 96)
+LIMIT = 120  # seconds that a program may take
 
 
 class Wrong(Exception):
@@ -80,6 +81,35 @@ def hit_plane(origin, direction, normal, point):
     return np.where(distance > 1e-6, distance, np.inf)
 
 
+def triangles_of(text):
+    """Of an OBJ file's text: the corners of its triangles and the normals there, (n, 3, 3) each. Quadrilaterals are
+    parted from their first corner on, as Assimp does it."""
+    lines = [line.split() for line in text.splitlines()]
+    positions, normals = (np.array([line[1:] for line in lines if line[:1] == [key]], float) for key in ("v", "vn"))
+    corners = []
+    for face in ([corner.split("/") for corner in line[1:]] for line in lines if line[:1] == ["f"]):
+        corners += [[face[0], second, third] for second, third in zip(face[1:], face[2:])]
+    pick = [[[int(corner[i]) - 1 for corner in triangle] for triangle in corners] for i in (0, 2)]
+    return positions[pick[0]], normals[pick[1]]
+
+
+def hit_triangles(origin, direction, corners):
+    """Distances along the directions, (…,), inf where there is no hit; which triangle, and the weights of its three
+    corners there: each by its three equations, solved in double."""
+    shape = np.broadcast(origin, direction).shape[:-1]
+    distance, index, weights = np.full(shape, np.inf), np.full(shape, -1), np.zeros(shape + (3,))
+    for number, (a, b, c) in enumerate(corners):
+        columns = np.broadcast_arrays(-direction, b - a, c - a)
+        matrix = np.stack(columns, axis=-1)
+        matrix[np.abs(np.linalg.det(matrix)) < 1e-15] = np.nan  # along the plane: no hit
+        to_origin = np.broadcast_to(origin - a, shape + (3,))[..., None]
+        t, second, third = np.moveaxis(np.linalg.solve(matrix, to_origin)[..., 0], -1, 0)
+        hit = (t > 1e-9) & (t < distance) & (second >= 0) & (third >= 0) & (second + third <= 1)
+        distance[hit], index[hit] = t[hit], number
+        weights[hit] = np.stack([1 - second - third, second, third], axis=-1)[hit]
+    return distance, index, weights
+
+
 def closest(scene, origin, direction):
     """What rays with unit directions hit of the scene's spheres and planes: distance (inf: nothing), unit normal
     turned to the eye, and index, spheres first, then planes (-1: nothing)."""
@@ -100,6 +130,45 @@ def closest(scene, origin, direction):
         distance[nearer], normal[nearer], index[nearer] = t[nearer], n[nearer], number
     normal = np.where(dot(normal, direction)[..., None] > 0, -normal, normal)
     return distance, normal, index
+
+
+def texels_of(picture):
+    """Of a picture of scenes/, its values from 0 to 1, (height, width, 3)."""
+    return oiio.ImageInput.open(str(ROOT / "scenes" / picture)).read_image(oiio.FLOAT).astype(float)[..., :3]
+
+
+def bilinear(texels, u, v):
+    """The colours at texture coordinates, (…,) each: docs/shading.md, "Textures"."""
+    height, width = texels.shape[:2]
+    x, y = u * width - 0.5, v * height - 0.5
+    column, row = np.floor(x).astype(int), np.floor(y).astype(int)
+    across, down = (x - column)[..., None], (y - row)[..., None]
+    rows = [(1 - across) * texels[j % height, column % width] + across * texels[j % height, (column + 1) % width]
+            for j in (row, row + 1)]
+    return (1 - down) * rows[0] + down * rows[1]
+
+
+def normals_and_distances(scene, distance, normal):
+    """What stage 01 makes of closest hits: docs/shading.md, "Stage 01"."""
+    seen = np.isfinite(distance)
+    t = np.where(seen, distance, 0)
+    darkening = 0.2 * (0.5 - 0.5 * np.cos(2 * np.pi * t)) / (1 + t * t / 50)
+    background = tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0])
+    return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
+
+
+def reflectance(scene, index):
+    """The materials' colours of what closest() found; black where there is nothing."""
+    described = tomllib.loads(scene_text(scene))
+    colors = [described["materials"][shape["material"]]["color"]
+              for shape in described.get("spheres", []) + described.get("planes", [])]
+    return np.array(colors + [[0, 0, 0]], float)[index]
+
+
+def lit_by(scene, *lights):
+    """The text of a scene, whose lights come last, with other lights: the number of one of its own, or one's keys."""
+    rest, *own = scene_text(scene).split("[[lights]]\n")
+    return "[[lights]]\n".join([rest] + [own[light] if isinstance(light, int) else light for light in lights])
 
 
 def expect(condition, what):
@@ -132,7 +201,8 @@ class Attempt:
         the course's own kernels draw it."""
         picture = self.scratch / "picture.exr"
         self.draw(picture, *options, scene=scene, size=size, original=original)
-        return np.array(oiio.ImageBuf(str(picture)).get_pixels(oiio.FLOAT), float)[..., :3]
+        # Not as an ImageBuf: its cache takes a file written within the same second for the one before.
+        return np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
 
     def draw(self, picture, *options, scene=None, size=SIZE, original=False):
         """A file, PNG or EXR."""
@@ -145,9 +215,12 @@ class Attempt:
         if not original:
             command += ["--kernels", self.kernels]
         environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}
-        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+        try:
+            done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            raise DoesNotRun(f"the program does not end within {LIMIT} s") from None
         if done.returncode:
-            raise DoesNotRun(done.stderr.strip())
+            raise DoesNotRun(done.stderr.strip() or f"the program ended with {done.returncode} and no word: a crash")
 
     def expect_same(self, picture, expected, what, tolerance=2e-3, strays=0.01):
         """Each pixel within the tolerance, but for a share of strays: float and double part at edges. All three

@@ -137,6 +137,7 @@ private:
             boxes[bin].add(boxes_[bvh_.order[i]]);
             ++counts[bin];
         }
+        // #region sweep
         std::array<float, bin_count> right_cost{};
         Box box;
         std::uint32_t count = 0;
@@ -157,6 +158,7 @@ private:
             }
         }
         return best;
+        // #endregion sweep
     }
 
     // Where the range is cut in two, its triangles put on their sides; the range's begin where it
@@ -170,11 +172,13 @@ private:
                 best = split.cost < best.cost ? split : best;
             }
         }
+        // #region pays
         const float as_leaf = box.half_area() * static_cast<float>(range.size());
         const bool pays = best.cost + traversal_cost * box.half_area() < as_leaf;
         if (range.size() <= most_in_leaf && !pays) {
             return range.begin;
         }
+        // #endregion pays
         const auto begin = bvh_.order.begin() + range.begin;
         const auto end = bvh_.order.begin() + range.end;
         if (best.axis < 0 || depth >= deepest_by_cost) {
@@ -222,6 +226,7 @@ private:
         return part;
     }
 
+    // #region children_of
     // Its two children; then, while there is room, the largest that is no leaf gives way to its own
     // two.
     std::vector<Part> children_of(const Part &part) const {
@@ -239,6 +244,7 @@ private:
         }
         return children;
     }
+    // #endregion children_of
 
     // Depth first, so that what is walked together lies together. When it is taken up, `waiting`
     // nodes are left, itself among them.

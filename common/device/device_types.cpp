@@ -24,6 +24,7 @@ device::float4 rounded(const device::double4 &v) {
 
 }  // namespace
 
+// #region camera
 device::DoubleCamera to_device(const CameraDescription &camera, int width, int height) {
     const glm::dvec3 forward = glm::normalize(camera.look_at - camera.position);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
@@ -40,6 +41,7 @@ device::DoubleCamera to_device(const CameraDescription &camera, int width, int h
     result.size = {{width, height}};
     return result;
 }
+// #endregion camera
 
 device::Camera to_single(const device::DoubleCamera &camera) {
     device::Camera result = {};

@@ -270,6 +270,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
     if (plain_textures_) {
         launch_split(queue, width, height);
     } else {
+        // #region launch
         const int tile_width = TILE_WIDTH_OF(width_);
         const int tile_height = width_ / tile_width;
         const int tiles = PACKETS_IN_ROW_OF(width_);  // and as many below each other
@@ -279,6 +280,7 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                                    cl::NDRange(work_items(width, tiles * tile_width, group),
                                                work_items(height, tiles * tile_height, group)),
                                    cl::NDRange(group, group));
+        // #endregion launch
     }
 }
 // #endregion render

@@ -26,6 +26,7 @@ Codes<std::uint8_t> undecoded_codes() {
     return codes;
 }
 
+// #region decoded_codes
 Codes<cl_half> decoded_codes(Transfer decode) {
     Codes<cl_half> codes{};
     for (std::size_t code = 0; code < codes.size(); ++code) {
@@ -34,12 +35,14 @@ Codes<cl_half> decoded_codes(Transfer decode) {
     }
     return codes;
 }
+// #endregion decoded_codes
 
 std::size_t wrap(std::size_t index_with_border, int size) {
     const auto count = static_cast<std::size_t>(size);
     return (index_with_border + count - 1) % count;
 }
 
+// #region copy_with_border
 // The texture with its border, in the upper left corner of a layer of `width` texels a row. Alpha
 // goes the way of the others: nobody reads it.
 template <typename Channel>
@@ -59,6 +62,7 @@ void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Chann
         }
     }
 }
+// #endregion copy_with_border
 
 // #region make_image
 template <typename Channel>

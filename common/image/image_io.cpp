@@ -33,10 +33,12 @@ void require_picture_name(const std::filesystem::path &file) {
 
 // The picture's values, three a pixel.
 std::vector<std::uint8_t> bytes_of(const Image &image, Transfer curve, bool split) {
+    // #region to_byte
     const auto to_byte = [](Transfer transfer, float light) {
         // NOLINTNEXTLINE(bugprone-incorrect-roundings): of 0 to 255 it is right, and lround is slow
         return static_cast<std::uint8_t>(encode(transfer, light) * 255 + 0.5F);
     };
+    // #endregion to_byte
     const SplitLine line =
         split ? split_line(split_share, image.width) : SplitLine{image.width, image.width};
     std::vector<std::uint8_t> bytes;

@@ -98,16 +98,25 @@ rlim_t seconds_for(std::uintmax_t file_size) {
     return 8 + file_size / 100'000;
 }
 
+// A reader that waits uses no time of the CPU; one on a machine with much else to do waits too.
+unsigned patience_for(std::uintmax_t file_size) {
+    return static_cast<unsigned>(10 * seconds_for(file_size));
+}
+
 void be_fenced_in(std::uintmax_t file_size) {
-    for (const int fatal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU}) {
+    for (const int fatal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU, SIGALRM}) {
         std::signal(fatal, SIG_DFL);  // drivers and sanitizers have handlers of their own
     }
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);  // where glibc says that its heap is corrupt
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, seconds_for(file_size));
     limit(RLIMIT_AS, address_space());
+    alarm(patience_for(file_size));
 }
 
 std::string outcome_of(std::uintmax_t file_size, const std::function<std::string()> &work) {
@@ -134,9 +143,21 @@ int status_of(pid_t child) {
     return status;
 }
 
+std::string death_by(int signal, std::uintmax_t file_size) {
+    switch (signal) {
+    case SIGXCPU:
+        return fmt::format("takes longer than {} seconds", seconds_for(file_size));
+    case SIGALRM:
+        return fmt::format("takes longer than {} seconds", patience_for(file_size));
+    default:
+        return fmt::format("the reader crashed (signal {})", signal);
+    }
+}
+
 }  // namespace
 
 void allow_any_time() {
+    alarm(0);
     limit(RLIMIT_CPU, RLIM_INFINITY);
 }
 
@@ -155,11 +176,8 @@ std::string run_apart(const std::string &what, std::uintmax_t file_size,
     std::string bytes = pipe.read();
     const int status = status_of(child);
     if (WIFSIGNALED(status)) {
-        throw UserError(
-            fmt::format("{}: can't be read: {}, expected an undamaged file", what,
-                        WTERMSIG(status) == SIGXCPU
-                            ? fmt::format("takes longer than {} seconds", seconds_for(file_size))
-                            : fmt::format("the reader crashed (signal {})", WTERMSIG(status))));
+        throw UserError(fmt::format("{}: can't be read: {}, expected an undamaged file", what,
+                                    death_by(WTERMSIG(status), file_size)));
     }
     if (status != 0 || bytes.empty()) {  // a sanitizer has found a mistake of ours
         throw std::logic_error(fmt::format("reading {} ended with status {}", what, status));

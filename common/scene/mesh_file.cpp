@@ -105,12 +105,14 @@ void drop_shapes(aiMesh &mesh) {
     mesh.mNumAnimMeshes = 0;
 }
 
+// #region import_steps
 // What hangs on vertices and is no use to a still picture.
 constexpr int removed =
     aiComponent_COLORS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_BONEWEIGHTS;
 
 constexpr unsigned steps = aiProcess_RemoveComponent | aiProcess_Triangulate | aiProcess_SortByPType
                            | aiProcess_GenSmoothNormals | aiProcess_FlipUVs;
+// #endregion import_steps
 
 }  // namespace
 

@@ -99,6 +99,7 @@ private:
         return true;
     }
 
+    // #region shared_vertex
     // Shared by the triangles that use it; `facing` serves where the file's normal is no direction.
     std::uint32_t vertex(unsigned index, const glm::dvec3 &position, const glm::dvec3 &facing) {
         const aiVector3D uv = coordinates(index);
@@ -114,6 +115,7 @@ private:
         }
         return known->second;
     }
+    // #endregion shared_vertex
 
     aiVector3D coordinates(unsigned index) const {
         if (!mesh_.HasTextureCoords(look_.coordinates)) {

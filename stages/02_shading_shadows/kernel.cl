@@ -21,8 +21,10 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     float3 color = XYZ(scene.background);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
+// #region shade_hit
         const float3 reflectance = XYZ(scene.materials[surface.material].color);
         color = reflectance * direct_light(&scene, &surface, &counts);
+// #endregion shade_hit
     }
     write_pixel(image, camera.size.x, pixel, color);
     add_ray_counts(&ray_counts[pixel.y], counts);

@@ -171,11 +171,11 @@ void PrintTo(const Walking &walking, std::ostream *stream) {
 // Drawn with the tree and, by stage 05, without: no pixel sees another triangle.
 class Stage09Picture : public testing::TestWithParam<Walking> {
 protected:
-    static Frame draw(const char *stage, const Scene &scene) {
+    static Frame draw(const char *stage, const Scene &scene,
+                      const char *triangle = "moeller_trumbore") {  // stage 05's
         RenderSettings settings = settings_of(scene);
-        settings.methods = {{"width", GetParam().width},
-                            {"nodes", GetParam().nodes},
-                            {"triangle", "moeller_trumbore"}};  // stage 05's
+        settings.methods = {
+            {"width", GetParam().width}, {"nodes", GetParam().nodes}, {"triangle", triangle}};
         return Renderer(choose_device(GetParam().device), stage, scene, settings).render();
     }
     // Shadow rays and lines, and rays from wherever a mirror is.
@@ -197,15 +197,20 @@ protected:
         EXPECT_GT(with.rays.shadow + with.rays.reflection, 100) << "what was seen?";
     }
 
-    // A wall of 2 n^2 triangles at z, from -1 to 1, whose edges are along the axes.
-    static void add_wall(Scene &scene, int n, double z) {
+    // A wall of 2 n^2 triangles at z, from -1 to 1, whose edges are along the axes and whose
+    // corners go round one way or the other.
+    static void add_wall(Scene &scene, int n, double z, bool clockwise = false) {
         const double step = 2.0 / n;
         for (int i = 0; i < n * n; ++i) {
             const dvec3 corner(-1 + step * (i % n), -1 + step * (i / n), z);
-            const dvec3 right = corner + dvec3(step, 0, 0);
-            const dvec3 up = corner + dvec3(0, step, 0);
+            dvec3 right = corner + dvec3(step, 0, 0);
+            dvec3 up = corner + dvec3(0, step, 0);
+            const dvec3 across = up + dvec3(step, 0, 0);
+            if (clockwise) {
+                std::swap(right, up);
+            }
             add_flat_triangle(scene, corner, right, up, 0);
-            add_flat_triangle(scene, right, up + dvec3(step, 0, 0), up, 0);
+            add_flat_triangle(scene, right, across, up, 0);
         }
     }
 };
@@ -249,6 +254,19 @@ TEST_P(Stage09Picture, OfWallsSeenAlongTheAxesToo) {
     }
 }
 
+// Six triangles meet where the ray goes through: their edges belong to them, whichever way their
+// corners go round.
+TEST_P(Stage09Picture, HasNoHoleWhereCornersMeet) {
+    for (const bool clockwise : {false, true}) {
+        Scene scene = one_pixel({0, 0, 4}, {0, 0, 0});
+        scene.background = {1, 0, 0};
+        add_wall(scene, 4, 0, clockwise);
+        add_material(scene, diffuse({1, 1, 1}));
+        EXPECT_EQ(draw("09_acceleration", scene, "woop").image.pixels.at(0), glm::vec3(0))
+            << clockwise;
+    }
+}
+
 TEST_P(Stage09Picture, FromWithinTheSlabsToo) {
     Scene scene = one_pixel({0, 0, 0.5}, {0, 0, -1});
     add_wall(scene, 4, -0.5);
@@ -257,9 +275,11 @@ TEST_P(Stage09Picture, FromWithinTheSlabsToo) {
 }
 
 // A shadow line ends at its light: neither what is just before it nor what is behind may be taken
-// for the other.
+// for the other. One of the lights is behind a plane, and reaches nothing that is seen.
 TEST_P(Stage09Picture, WithALightAmongTheTrianglesToo) {
     Scene scene = soup(1500, 0.15);
+    add_plane(scene, {-1, 0, 0}, {0.3, 0, 0}, diffuse({1, 1, 1}));
+    add_point_light(scene, {2, 1, 1}, {1, 1, 1}, 5);
     add_point_light(scene, {0.1, 0.05, 0}, {1, 1, 1}, 1);
     add_point_light(scene, {-0.4, 0.3, 0.5}, {1, 1, 1}, 1);
     expect_same(scene, diffuse({1, 1, 1}));

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "scene/messages.h"
@@ -58,16 +60,51 @@ TEST(Apart, TellsOfACrash) {
     }
 }
 
-// The kernel sends this when a limit is passed.
+// Its own limits are of seconds to minutes: they are seen, then brought near.
 TEST(Apart, TellsOfTooLongATime) {
     EXPECT_EQ(message_of([] {
-                  apart([] {
-                      std::raise(SIGXCPU);
-                      return std::string();
+                  apart([]() -> std::string {
+                      rlimit limits{};
+                      getrlimit(RLIMIT_CPU, &limits);
+                      if (limits.rlim_cur != 8) {
+                          throw UserError("has another limit of CPU time");
+                      }
+                      limits.rlim_cur = 1;
+                      setrlimit(RLIMIT_CPU, &limits);
+                      for (volatile bool on = true; on;) {
+                      }
+                      return "";
                   });
               }),
               "scene.toml:3:1: a.obj: can't be read: takes longer than 8 seconds, expected an "
               "undamaged file");
+}
+
+TEST(Apart, TellsOfTooLongAWait) {
+    EXPECT_EQ(message_of([] {
+                  apart([]() -> std::string {
+                      const itimerval soon{{}, {0, 10'000}};
+                      itimerval patience{};
+                      setitimer(ITIMER_REAL, &soon, &patience);
+                      if (patience.it_value.tv_sec < 70 || patience.it_value.tv_sec > 80) {
+                          throw UserError("has another limit of waiting");
+                      }
+                      pause();
+                      return "";
+                  });
+              }),
+              "scene.toml:3:1: a.obj: can't be read: takes longer than 80 seconds, expected an "
+              "undamaged file");
+}
+
+TEST(Apart, TakesItsTimeOnceAllowed) {
+    EXPECT_EQ(apart([] {
+                  allow_any_time();
+                  rlimit limits{};
+                  getrlimit(RLIMIT_CPU, &limits);
+                  return std::to_string(alarm(0) == 0 && limits.rlim_cur == limits.rlim_max);
+              }),
+              "1");
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they end such a program

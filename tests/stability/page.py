@@ -93,7 +93,7 @@ def fails(sweep, name):
 def sweep_lines(name, by_device):
     first = next(iter(by_device.values()))
     stated = f"; stated: {first['stated']}" if first["stated"] else ""
-    lines = [f"### {first['title']}", "", f"![{first['title']}]({name}.svg)", "",
+    lines = [f"## {first['title']}", "", f"![{first['title']}]({name}.svg)", "",
              f"Fails above {first['limit']:.3g} ({first['y_label']}){stated}. First {first['x_label']} that fails:", "",
              "| method | " + " | ".join(DEVICES[device][0] for device in by_device) + " |",
              "|---|" + "---|" * len(by_device)]

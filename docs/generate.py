@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: MIT
+"""generate.py BUILD: what the course's pages show that is made from the sources, into docs/generated (included in
+pages) and docs/public (served as it is). What is up to date is left alone."""
+import hashlib
+import itertools
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
+GENERATED = DOCS / "generated"
+PUBLIC = DOCS / "public"
+sys.path += [str(ROOT / "stages"), str(ROOT / "tests" / "mutants")]
+
+import difference  # noqa: E402
+import exercises  # noqa: E402
+import mutate  # noqa: E402
+import recorded  # noqa: E402
+
+
+def fail(text):
+    print(f"stagelight: docs: {text}", file=sys.stderr)
+    sys.exit(1)
+
+
+def fenced(language, text):
+    return f"```{language}\n{text.rstrip()}\n```\n"
+
+
+def details(summary, text):
+    return f"<details><summary>{summary}</summary>\n\n{text}\n</details>\n"
+
+
+# --- What changed between two stages
+
+def show_difference(before, after):
+    old, new = difference.lesson(before), difference.lesson(after)
+    lines = difference.difference(before, after)
+    added, removed = difference.counts(lines)
+    parts = [f"{added} lines of code are new and {removed} are gone, by `./stagelight diff {before.name[:2]} "
+             f"{after.name[:2]}`.\n"]
+    for file in sorted(old.keys() | new.keys()):
+        if file not in old:
+            parts.append(details(f"<code>{file}</code>, new", fenced("c", "\n".join(new[file]))))
+        elif file not in new:
+            parts.append(f"<p><code>{file}</code> is gone.</p>\n")
+        elif old[file] != new[file]:
+            changed = difference.difflib.unified_diff(old[file], new[file], lineterm="")
+            text = "\n".join(line for line in changed if not line.startswith(("---", "+++")))
+            parts.append(details(f"<code>{file}</code>, changed", fenced("diff", text)))
+    return "\n".join(parts)
+
+
+def show_differences():
+    for before, after in itertools.pairwise(difference.stages()):
+        write(f"difference_{before.name[:2]}_{after.name[:2]}.md", show_difference(before, after))
+
+
+# --- What a stage costs
+
+def milliseconds(ms):
+    return f"{ms:.0f}" if ms >= 100 else f"{ms:.1f}"
+
+
+def show_costs():
+    costs = recorded.read("costs.json")
+    for stage in difference.stages():
+        scene = costs["scenes"][stage.name]
+        own, full = scene["own"], scene.get("full_tracer")  # the last stage is the full tracer
+        rows = {"a frame, milliseconds": lambda run: milliseconds(run["median"]),
+                "building the kernel, milliseconds": lambda run: milliseconds(run["build"]["kernel_milliseconds"]),
+                **{f"{kind} rays a frame": lambda run, kind=kind: f"{run['rays'][kind]:,}"
+                   for kind in ("primary", "shadow", "reflection", "refraction") if own["rays"][kind]},
+                "million rays a second": lambda run: f"{run['million_rays_per_second']['all']:.1f}",
+                "on the device, bytes": lambda run: f"{run['bytes_on_device']['total']:,}",
+                "error inside surfaces, at the most": lambda run: f"{run['error']['worst_interior']:.1e}",
+                "root of the mean squared error": lambda run: f"{run['error']['rmse']:.1e}"}
+        runs = {"this stage": own} | ({"the full tracer, same scene": full} if full else {})
+        lines = [f"| | {' | '.join(runs)} |", "|---|" + "--:|" * len(runs)]
+        lines += [f"| {what} | {' | '.join(map(of, runs.values()))} |" for what, of in rows.items()]
+        lines += ["", f"The default scene at its own size, one sample a pixel; medians, on {costs['device']['name']} "
+                  f"({costs['device']['platform']}, {costs['device']['driver']}), recorded on {costs['date']} by "
+                  "`./stagelight docs record`. Errors are against the reference in double, in linear light.", ""]
+        write(f"cost_{stage.name[:2]}.md", "\n".join(lines))
+
+
+# --- The exercises
+
+def show_exercise(exercise):
+    stage, number = exercise.parts[-3][:2], exercise.name.split("_")[0]
+    command = f"./stagelight exercise {stage} {number}"
+    where = (exercise / "stub.cl").relative_to(ROOT)
+    return "\n".join([
+        (exercise / "README.md").read_text(),
+        f"What to change is `{where}`; `{command}` builds it, draws it and tests it, and `{command} --solution` shows "
+        "where it leads.\n",
+        details("A solution", fenced("c", (exercise / "solution.cl").read_text()))])
+
+
+def show_exercises():
+    for stage in difference.stages():
+        write(f"exercises_{stage.name[:2]}.md", "\n".join(map(show_exercise, exercises.exercises(stage.name))))
+
+
+# --- Pictures
+
+def wanted_pictures():
+    """By name, of all docs/pictures/*.toml."""
+    wanted = {}
+    for file in sorted((DOCS / "pictures").glob("*.toml")):
+        for name, picture in tomllib.loads(file.read_text()).items():
+            if name in wanted:
+                fail(f"{file.relative_to(ROOT)}: there is a picture {name} already")
+            wanted[name] = picture
+    return wanted
+
+
+def planted_kernels(folder, mutant):
+    mutants = {m["name"]: m for m in tomllib.loads((ROOT / "tests/mutants/mutants.toml").read_text())["mutants"]}
+    if mutant not in mutants:
+        fail(f"tests/mutants/mutants.toml has no {mutant}")
+    exercises.copy_kernels(folder)
+    (folder / mutants[mutant]["file"]).write_text(mutate.mutated(ROOT, mutants[mutant]))
+
+
+def draw(build, name, picture):
+    with tempfile.TemporaryDirectory() as scratch:
+        kernels = Path(scratch) / "kernels"
+        if "mutant" in picture:
+            planted_kernels(kernels, picture["mutant"])
+        elif "exercise" in picture:
+            exercises.copy_kernels(kernels)
+            exercises.replace_regions(kernels, ROOT / "stages" / picture["exercise"])
+        command = [build / "stages" / picture["stage"], *([ROOT / picture["scene"]] if "scene" in picture else []),
+                   *picture.get("options", []), "--display", "none", "--out", PUBLIC / "generated" / f"{name}.png"]
+        if kernels.exists():
+            command += ["--kernels", kernels]
+        done = subprocess.run(command, capture_output=True, text=True,
+                              env=os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_docs")})
+    if done.returncode:
+        fail(f"picture {name}: {done.stderr.strip()}")
+
+
+def draw_pictures(build):
+    (PUBLIC / "generated").mkdir(parents=True, exist_ok=True)
+    made_of = build / "docs_pictures.json"
+    drawn = json.loads(made_of.read_text()) if made_of.exists() else {}
+    kernels = [file.read_bytes() for pattern in ("kernels/*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
+                                                  "tests/mutants/*.toml", "stages/*/exercises/*/*.cl")
+               for file in sorted(ROOT.glob(pattern)) if file.is_file()]
+    sources = hashlib.sha256(b"".join(kernels)).hexdigest()
+    for name, picture in wanted_pictures().items():
+        key = hashlib.sha256((json.dumps(picture) + sources).encode()).hexdigest()
+        if drawn.get(name) != key or not (PUBLIC / "generated" / f"{name}.png").exists():
+            draw(build, name, picture)
+            drawn[name] = key
+            made_of.write_text(json.dumps(drawn, indent=1))
+
+
+def draw_chart(build):
+    """The pictures of a quick run, the figures of the recorded one."""
+    folder = PUBLIC / "generated" / "chart"
+    if not (folder / "chart.json").exists():
+        with tempfile.TemporaryDirectory() as scratch:
+            scenes = [f"--scene={ROOT / 'scenes' / scene['name']}.toml" for scene in recorded.read("chart.json")["scenes"]]
+            done = subprocess.run([build / "tools" / "chart", "--quick", *scenes], cwd=scratch, capture_output=True,
+                                  text=True)
+            if done.returncode:
+                fail(f"the chart: {done.stderr.strip()}")
+            shutil.rmtree(folder, ignore_errors=True)
+            shutil.move(Path(scratch) / "out" / "chart", folder)
+    report = recorded.read("chart.json")
+    for scene in report["scenes"]:
+        for point in scene["points"]:
+            if not (folder / point["picture"]).exists():  # a quick run takes no samples
+                point["picture"] = point["difference"] = None
+    (folder / "chart.json").write_text(json.dumps(report))
+    subprocess.run([sys.executable, ROOT / "tests/chart/plot.py", folder,
+                    "/usr/share/javascript/chart.js/chart.min.js"], check=True, stdout=subprocess.DEVNULL)
+
+
+# --- Copies of sources that pages link to
+
+def copy_sources():
+    shutil.rmtree(PUBLIC / "sources", ignore_errors=True)
+    for page in [*DOCS.glob("*.md"), *DOCS.glob("chapters/*.md"), *DOCS.glob("stability/*.md")]:
+        for link in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
+            target = (page.parent / link).resolve()
+            if re.match(r"\w+:|/", link) or DOCS in target.parents:
+                continue
+            if ROOT not in target.parents or not target.is_file():
+                fail(f"{page.relative_to(ROOT)}: there is no file {link}")
+            copy = PUBLIC / "sources" / f"{target.relative_to(ROOT)}.txt"
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(target, copy)
+
+
+def write(name, text):
+    GENERATED.mkdir(exist_ok=True)
+    file = GENERATED / name
+    text = "<!-- Made by docs/generate.py: do not edit. -->\n" + text
+    if not file.exists() or file.read_text() != text:
+        file.write_text(text)
+
+
+def main():
+    build = Path(sys.argv[1])
+    show_differences()
+    show_costs()
+    show_exercises()
+    copy_sources()
+    draw_pictures(build)
+    draw_chart(build)
+
+
+main()

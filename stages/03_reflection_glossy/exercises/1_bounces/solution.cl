@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Exercise 03.1, solved: the counts of a work-item are those of its pixel.
+
+// kernels/render.cl
+// #region render
+// From black over violet and red to yellow.
+static float3 heat(const float share) {
+    return (float3)(sqrt(share), share * share * share, max(sin(2.0f * PI * share), 0.0f));
+}
+
+__kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
+                     SCENE_PARAMETERS) {
+    const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
+    if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
+        return;
+    }
+    const Scene scene = SCENE_ARGUMENTS;
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
+    const Ray primary = camera_ray(&camera, pixel);
+    trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color =
+        counts.dropped > 0 ? (float3)(1.0f) : heat((float)counts.reflection / (float)MAX_DEPTH);
+    write_pixel(image, camera.size.x, pixel, color);
+    add_ray_counts(&ray_counts[pixel.y], counts);
+}
+// #endregion render

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Exercise 03.3, solved: Schlick's rise (An Inexpensive BRDF Model for Physically-based Rendering, 1994), for
+// metal from its colour, for varnish from its specularity.
+
+// kernels/shade.cl
+// #region shade_shares
+    float diffuse = diffuse_share(&material);
+#if HAS_REFLECTION
+    const float slope = 1.0f + dot(incoming->ray.direction, surface->normal);
+    const float rise = slope * slope * slope * slope * slope;
+    const float head_on = reflected_share(&material);
+    if (material.type == MATERIAL_MIRROR) {
+        const float3 color = XYZ(material.color);
+        const float3 reflected = color + rise * (1.0f - color);
+        spawn_reflected(stack, incoming, surface, reflected * incoming->weight, counts);
+    } else if (head_on > 0.0f) {
+        const float reflected = head_on + rise * (1.0f - head_on);
+        spawn_reflected(stack, incoming, surface, reflected * incoming->weight, counts);
+        diffuse = 1.0f - reflected;
+    }
+#endif
+    *direct_weight = diffuse * weight;
+    return diffuse > 0.0f;
+// #endregion shade_shares

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Exercise 04.1: where a dielectric meets what surrounds it, which is air.
+
+// kernels/dielectric.cl
+// #region interface
+#define OUTSIDE 1.33f
+
+// What a ray meets at the surface of a dielectric: the share that is reflected and, unless
+// that is all, the direction of the rest.
+typedef struct Interface {
+    float reflectance;
+    float3 refracted;
+} Interface;
+
+static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
+    Interface interface;
+    const float ratio = surface->from_behind ? ior : 1.0f / ior;  // your turn
+    if (!refract(direction, surface->normal, ratio, &interface.refracted)) {
+        interface.reflectance = 1.0f;
+        return interface;
+    }
+    const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
+    const float cosine = fabs(dot(thinner_side, surface->normal));
+    interface.reflectance = fresnel(cosine, ior);
+    return interface;
+}
+// #endregion interface

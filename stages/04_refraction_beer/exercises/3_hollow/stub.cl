@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Exercise 04.3: where a ray meets a sphere of glass, and what is there.
+
+// kernels/closest_hit.cl
+// #region each_sphere
+#define HOLLOW 0.85f  // the inner radius by the outer one
+
+#if SPHERE_COUNT > 0
+    for (int i = 0; i < SPHERE_COUNT; ++i) {
+        const Sphere sphere = scene->spheres[i];
+        keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
+                    SHAPE_SPHERE, i);  // your turn
+    }
+#endif
+// #endregion each_sphere
+
+// kernels/surface.cl
+// #region sphere_surface
+// The hit point is put back onto the sphere: far away, the distance alone would miss it.
+static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
+    const float3 center = XYZ(sphere.center);
+    const float3 position = ray.origin + hit.distance * ray.direction;
+    surface->normal = unit(position - center);  // your turn
+    surface->geometric_normal = surface->normal;
+    surface->position = center + sphere.radius * surface->normal;
+    surface->material = sphere.material;
+    surface->offset = error_along(surface->normal, surface->position,
+                                  (float3)(GAMMA(6.0f) * sphere.radius));
+}
+// #endregion sphere_surface

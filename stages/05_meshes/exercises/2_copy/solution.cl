@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Exercise 05.2, solved: rays go to where the mesh is, and what they find comes back.
+
+// kernels/triangle.cl
+// #region edges
+// A triangle by its first corner and the ways from there to the other two.
+typedef struct Edges {
+    float3 corner;
+    float3 b, c;
+} Edges;
+
+// The copy: turned about the y axis, then moved.
+#define COPY_COSINE 0.6f
+#define COPY_SINE 0.8f
+#define COPY_POSITION (float3)(-1.9f, 0.0f, -1.5f)
+
+static float3 turned(const float3 v, const float sine) {
+    return (float3)(COPY_COSINE * v.x + sine * v.z, v.y, COPY_COSINE * v.z - sine * v.x);
+}
+
+static float3 to_copy(const float3 point) {
+    return turned(point, COPY_SINE) + COPY_POSITION;
+}
+
+// The point of the original that comes to this one.
+static float3 from_copy(const float3 point) {
+    return turned(point - COPY_POSITION, -COPY_SINE);
+}
+
+// The ray that meets the original where this one meets the copy.
+static Ray to_original(const Ray ray) {
+    const Ray moved = {from_copy(ray.origin), turned(ray.direction, -COPY_SINE)};
+    return moved;
+}
+// #endregion edges
+
+// kernels/closest_hit.cl
+// #region closest_triangle
+    const Ray moved = to_original(ray);
+    for (int i = 0; i < 2 * TRIANGLE_COUNT; ++i) {
+        const bool is_copy = i >= TRIANGLE_COUNT;
+        const Edges triangle = triangle_edges(scene, is_copy ? i - TRIANGLE_COUNT : i);
+        float2 barycentric;
+        const float distance =
+            intersect_ray_triangle(is_copy ? moved : ray, triangle, &barycentric);
+        if (distance < closest.distance) {
+            closest.barycentric = barycentric;
+        }
+        keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
+    }
+// #endregion closest_triangle
+
+// kernels/any_hit.cl
+// #region ray_any_triangle
+    const Ray moved = to_original(ray);
+    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+        const Edges triangle = triangle_edges(scene, i);
+        float2 barycentric;
+        if (intersect_ray_triangle(ray, triangle, &barycentric) < INFINITY
+            || intersect_ray_triangle(moved, triangle, &barycentric) < INFINITY) {
+            return true;
+        }
+    }
+// #endregion ray_any_triangle
+
+// #region line_any_triangle
+    const Line moved = {from_copy(line.origin), from_copy(line.destination)};
+    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+        const Edges triangle = triangle_edges(scene, i);
+        if (intersect_line_triangle(line, triangle) || intersect_line_triangle(moved, triangle)) {
+            return true;
+        }
+    }
+// #endregion line_any_triangle
+
+// kernels/trace.cl
+// #region hit_surface
+            const bool is_copy = hit.shape == SHAPE_TRIANGLE && hit.index >= TRIANGLE_COUNT;
+            Hit of_original = hit;
+            of_original.index -= is_copy ? TRIANGLE_COUNT : 0;
+            Surface surface = surface_at(
+                scene, is_copy ? to_original(incoming.ray) : incoming.ray, of_original);
+            if (is_copy) {
+                // The way there, and back for the next ray, is rounded too.
+                const float3 ways = fabs(surface.position) + fabs(COPY_POSITION);
+                surface.offset += GAMMA(16.0f) * (ways.x + ways.y + ways.z);
+                surface.position = to_copy(surface.position);
+                surface.normal = turned(surface.normal, COPY_SINE);
+                surface.geometric_normal = turned(surface.geometric_normal, COPY_SINE);
+            }
+// #endregion hit_surface

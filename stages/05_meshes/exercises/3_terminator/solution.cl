@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Exercise 05.3, solved: the point is lifted to the tangent planes of the three corners, each by its weight.
+
+// kernels/trace.cl
+// #region direct
+                // Hanika, Hacking the Shadow Terminator (Ray Tracing Gems II, 2021, chapter 4). What is
+                // above a plane, in a hollow, stays: it would be pressed below the facet.
+                Surface rounded = surface;
+                if (hit.shape == SHAPE_TRIANGLE) {
+                    const Triangle triangle = scene->triangles[hit.index];
+                    const float2 bc = hit.barycentric;
+                    const float weights[3] = {1.0f - bc.x - bc.y, bc.x, bc.y};
+                    const float side = surface.from_behind ? -1.0f : 1.0f;
+                    for (int i = 0; i < 3; ++i) {
+                        const uint vertex = triangle.vertices[i];
+                        const float3 normal = side * XYZ(scene->vertex_normals[vertex]);
+                        const float height =
+                            dot(surface.position - XYZ(scene->vertex_positions[vertex]), normal);
+                        rounded.position -= weights[i] * min(height, 0.0f) * normal;
+                    }
+                }
+                color += weight * direct_light(scene, &rounded, counts);
+// #endregion direct

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Exercise 06.4, solved: cubic_weights across and down, of 4 by 4 texels.
+
+// kernels/texture.cl
+// #region texture_color
+// Of four texels in a row, for a place that is t beyond the second (Catmull and Rom, A Class of Local
+// Interpolating Splines, 1974): a cubic through both in the middle, whose slopes are those of the chords
+// around.
+static float4 cubic_weights(const float t) {
+    const float rest = 1.0f - t;
+    return 0.5f * (float4)(-t * rest * rest, (3.0f * t - 5.0f) * t * t + 2.0f,
+                           (3.0f * rest - 5.0f) * rest * rest + 2.0f, -rest * t * t);
+}
+
+static float3 texture_color(const Material *material, const float2 coordinates TEXTURE_PARAMETER) {
+    if (material->texture < 0) {
+        return (float3)(1.0f);
+    }
+    const float2 size = XY(material->texture_size);
+    const float2 place = coordinates * size - 0.5f;
+    const float2 low = floor(place);
+    const float4 across = cubic_weights(place.x - low.x);
+    const float4 down = cubic_weights(place.y - low.y);
+    const float weights[2][4] = {{across.x, across.y, across.z, across.w},
+                                 {down.x, down.y, down.z, down.w}};
+    float3 sum = (float3)(0.0f);
+    for (int j = 0; j < 4; ++j) {
+        for (int i = 0; i < 4; ++i) {
+            const float2 index = low + (float2)(i - 1, j - 1);
+            const float2 texel = index - size * floor(index / size);  // the border is too narrow
+            sum += weights[0][i] * weights[1][j]
+                   * nearest_texel(texel + 1.5f, convert_float(material->texture) TEXTURE_ARGUMENT);
+        }
+    }
+    return clamp(sum, 0.0f, 1.0f);  // no surface sends on more light than it gets, nor less than none
+}
+// #endregion texture_color

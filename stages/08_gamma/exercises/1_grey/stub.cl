@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Exercise 08.1: the picture in grey.
+
+// kernels/picture.cl
+// #region picture_buffer
+#define PICTURE __global Single4 *
+#define LUMINANCE (float3)(0.2126f, 0.7152f, 0.0722f)
+
+static void write_pixel(PICTURE image, const int width, const int2 pixel, const float3 color) {
+    image[pixel.y * width + pixel.x] = (float4)(color, 1.0f);  // your turn
+}
+// #endregion picture_buffer
