@@ -81,7 +81,6 @@ void keep_threads_apart() {
 
 }  // namespace
 
-// #region all_devices
 std::vector<cl::Device> all_devices() {
     keep_threads_apart();
     std::vector<cl::Platform> platforms;
@@ -100,7 +99,6 @@ std::vector<cl::Device> all_devices() {
     }
     return devices;
 }
-// #endregion all_devices
 
 bool has_extension(const cl::Device &device, const char *extension) {
     const std::string all = ' ' + device.getInfo<CL_DEVICE_EXTENSIONS>() + ' ';

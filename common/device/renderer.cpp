@@ -13,14 +13,12 @@
 
 namespace stagelight {
 
-// #region renderer
 Renderer::Renderer(const cl::Device &device, const std::string &stage, const Scene &scene,
                    const RenderSettings &settings)
     : device_(device), settings_(settings), context_(device), queue_(context_, device),
       kernel_(context_, device, stage, scene, settings),
       image_(context_, CL_MEM_WRITE_ONLY, picture_bytes(device, settings.width, settings.height)),
       camera_(to_device(scene.camera, settings.width, settings.height)) {}
-// #endregion renderer
 
 std::map<std::string, std::size_t> Renderer::bytes() const {
     std::map<std::string, std::size_t> bytes = kernel_.bytes();
@@ -28,7 +26,6 @@ std::map<std::string, std::size_t> Renderer::bytes() const {
     return bytes;
 }
 
-// #region render
 double Renderer::launch(int sample) {
     kernel_.clear_ray_counts(queue_, settings_.height);
     queue_.finish();
@@ -56,6 +53,5 @@ Frame Renderer::render() {
                            [](const glm::vec4 &pixel) { return glm::vec3(pixel); });
     return frame;
 }
-// #endregion render
 
 }  // namespace stagelight

@@ -99,7 +99,6 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
     return totals;
 }
 
-// #region build_options
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods) {
     std::string options = language + " -cl-kernel-arg-info";
@@ -119,7 +118,6 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
     }
     return options + options_of(methods);
 }
-// #endregion build_options
 
 // #region build_program
 cl::Program build_program(const cl::Context &context, const std::string &source,
@@ -257,7 +255,6 @@ void StageKernel::launch(const cl::CommandQueue &queue, const cl::Memory &image,
     }
 }
 
-// #region render
 void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
                          const device::DoubleCamera &camera) {
     kernel_.setArg(arguments_.at("image"), image);
@@ -283,7 +280,6 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
         // #endregion launch
     }
 }
-// #endregion render
 
 // The halves have no width that a work-group of ours divides: the driver chooses one.
 void StageKernel::launch_split(const cl::CommandQueue &queue, int width, int height) {

@@ -64,7 +64,6 @@ void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Chann
 }
 // #endregion copy_with_border
 
-// #region make_image
 template <typename Channel>
 cl::Image2DArray make_image(const cl::Context &context, const std::vector<Texture> &textures,
                             std::size_t width, std::size_t height, cl_channel_type type,
@@ -84,7 +83,6 @@ cl::Image2DArray make_image(const cl::Context &context, const std::vector<Textur
             0,
             texels.data()};
 }
-// #endregion make_image
 
 // Width and height of the largest, with its border.
 std::pair<std::size_t, std::size_t> layer_size(const Scene &scene) {
