@@ -38,15 +38,21 @@ public:
         text_ += fmt::format("#line 1 \"{}\"\n", path);
         std::istringstream lines(read(path));
         std::string line;
+        int depth = 0;                 // of #if
+        bool may_be_left_out = false;  // a module was included within: its #line holds there alone
         for (int number = 1; std::getline(lines, line); ++number) {
+            const std::string next_line = fmt::format("#line {} \"{}\"\n", number + 1, path);
             if (const std::optional<std::string> module = included_module(line)) {
                 append("kernels/" + *module);
-                text_ += fmt::format("#line {} \"{}\"\n", number + 1, path);
-            } else {
-                text_ += line + '\n';
-                if (line.starts_with("#e")) {  // #endif, #else: what was included may be left out
-                    text_ += fmt::format("#line {} \"{}\"\n", number + 1, path);
-                }
+                text_ += next_line;
+                may_be_left_out = depth > 0;
+                continue;
+            }
+            text_ += line + '\n';
+            depth += line.starts_with("#if") ? 1 : line.starts_with("#endif") ? -1 : 0;
+            if (may_be_left_out && line.starts_with("#e")) {  // #else, #elif, #endif
+                text_ += next_line;
+                may_be_left_out = depth > 0;
             }
         }
     }
