@@ -4,8 +4,8 @@ slabs in double."""
 import numpy as np
 from exercises import expect, rays
 
-# Behind each other too; the last is behind the eye.
-SQUARES = [(0, 0, 0), (1.2, 0.6, -2.5), (-1.6, 0.5, -3.5), (0.5, -1.2, -6), (-3, 2.2, -9), (0.4, 0.1, 9)]
+# Behind each other too; the eye is in the last.
+SQUARES = [(0, 0, 0), (1.2, 0.6, -2.5), (-1.6, 0.5, -3.5), (0.5, -1.2, -6), (-3, 2.2, -9), (0.3, 0.6, 5.2)]
 BEGIN = """
 [camera]
 position = [0.4, 0.7, 5]
