@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 07.1: solved: on the row and the column through the middle, the picture's colour turned round.
+// Exercise 07.1, solved: on the row and the column through the middle, the picture's colour turned round.
 
 // kernels/render.cl
 // #region render_pixel

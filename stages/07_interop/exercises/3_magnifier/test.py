@@ -2,6 +2,7 @@
 """Within the lens is the middle of a picture of three times the size, pixel for pixel; around it nothing has changed. With
 several samples each pixel is the mean of such."""
 import numpy as np
+from exercises import expect
 
 SCENE = "03_reflection_glossy.toml"
 RADIUS, POWER = 30, 3
@@ -23,5 +24,9 @@ def check(attempt):
     expected = np.where(within, smooth[top:top + HEIGHT, left:left + WIDTH], around)
     rim = abs(np.hypot(x, y) - RADIUS) < 1
     drawn = attempt.render("--samples", 16, scene=SCENE)
+    inner, outer = smooth[top:top + HEIGHT, left:left + WIDTH][rim], around[rim]
+    apart = np.abs(inner - outer).min(axis=-1) > 0.02
+    mixed = (np.abs(drawn[rim] - inner).min(axis=-1) > 0.002) & (np.abs(drawn[rim] - outer).min(axis=-1) > 0.002)
+    expect(mixed[apart].mean() > 0.3, "with 16 samples, the lens's rim should mix what is within and without")
     drawn[rim] = expected[rim]
     attempt.expect_same(drawn, expected, "the lens with 16 samples", tolerance=2e-3, strays=0.004)
