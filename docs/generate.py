@@ -135,9 +135,9 @@ def draw(build, name, picture):
         kernels = Path(scratch) / "kernels"
         if "mutant" in picture:
             planted_kernels(kernels, picture["mutant"])
-        elif "exercise" in picture:
+        elif "regions" in picture:
             exercises.copy_kernels(kernels)
-            exercises.replace_regions(kernels, ROOT / "stages" / picture["exercise"])
+            exercises.replace_regions(kernels, ROOT / picture["regions"])
         command = [build / "stages" / picture["stage"], *([ROOT / picture["scene"]] if "scene" in picture else []),
                    *picture.get("options", []), "--display", "none", "--out", PUBLIC / "generated" / f"{name}.png"]
         if kernels.exists():
@@ -153,7 +153,7 @@ def draw_pictures(build):
     made_of = build / "docs_pictures.json"
     drawn = json.loads(made_of.read_text()) if made_of.exists() else {}
     kernels = [file.read_bytes() for pattern in ("kernels/*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
-                                                  "tests/mutants/*.toml", "stages/*/exercises/*/*.cl")
+                                                  "tests/mutants/*.toml", "stages/*/exercises/*/*.cl", "docs/pictures/*.cl")
                for file in sorted(ROOT.glob(pattern)) if file.is_file()]
     sources = hashlib.sha256(b"".join(kernels)).hexdigest()
     for name, picture in wanted_pictures().items():

@@ -99,7 +99,9 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
                              const DielectricMaterial *glass, const float3 weight,
                              RayCounts *counts) {
+    // #region at_wall
     const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
+    // #endregion at_wall
     PendingRay here = *incoming;
     if (surface->from_behind) {  // what is reflected in glass runs in it, even if the eye was there
         here.absorption = XYZ(glass->absorption);

@@ -14,9 +14,11 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     }
     const Scene scene = SCENE_ARGUMENTS;
     RayCounts counts = {0, 0, 0, 0, 0, 0};
+    // #region render_pixel
     const Ray primary = camera_ray(&camera, pixel);
     const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
     write_pixel(image, camera.size.x, pixel, color);
+    // #endregion render_pixel
     add_ray_counts(&ray_counts[pixel.y], counts);
 }
 // #endregion render

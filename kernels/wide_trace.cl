@@ -49,7 +49,9 @@ typedef struct IncomingLanes {
 static void store_primary(IncomingLanes *lanes, const WideRays *rays) {
     store_lanes(&lanes->origin, rays->origin);
     store_lanes(&lanes->direction, rays->direction);
+    // #region primary_weight
     store_lanes(&lanes->weight, wide3((float3)(1.0f)));
+    // #endregion primary_weight
     lanes->depth.wide = 0;
 #if HAS_DIELECTRIC
     store_lanes(&lanes->absorption, wide3((float3)(0.0f)));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/stage_program.h"
 
-#include <future>
-
 #include <fmt/format.h>
 
 #include "app/options.h"
@@ -47,12 +45,6 @@ RenderSettings settings_of(const Options &options, const Scene &scene, int stage
     settings.kernels = options.kernels;
     settings.split = options.split;
     return settings;
-}
-
-// OpenCL's drivers load when they are first asked for, which takes as long as to read a scene. What
-// is wrong with them is told by who needs them.
-void load_drivers() {
-    all_devices();
 }
 
 void draw(const std::string &stage, const Options &options, const Scene &scene,
@@ -132,7 +124,8 @@ bool choose_by_error(const std::string &stage, const Options &options, const Sce
 
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
-    const std::future<void> drivers = std::async(std::launch::async, load_drivers);
+    // Before OpenCL's drivers load, which is when they are first asked for: run_apart forks, and a
+    // child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {
@@ -143,7 +136,6 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
         return export_scene(stage, scene, settings, *options.export_pov);
     }
     startup.done("scene");
-    drivers.wait();
     int code = exit_done;
     if (options.max_error) {
         require_outputs(options.out.value_or(default_out(stage)), options);  // before the wait

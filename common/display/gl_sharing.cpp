@@ -20,6 +20,7 @@ template <typename Handle> cl_context_properties property(Handle handle) {
     return reinterpret_cast<cl_context_properties>(handle);
 }
 
+// #region properties_of
 // The current OpenGL context and the display that it lives on (OpenCL Extension Specification,
 // cl_khr_gl_sharing, "CL Context > GL Context").
 Properties properties_of(const cl::Platform &platform, ContextApi api) {
@@ -34,6 +35,7 @@ Properties properties_of(const cl::Platform &platform, ContextApi api) {
     properties.push_back(0);
     return properties;
 }
+// #endregion properties_of
 
 cl::Platform platform_of(const cl::Device &device) {
     return cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>());

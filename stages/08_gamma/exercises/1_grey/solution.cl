@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 08.1: solved: a pixel's luminance in all three channels.
+// Exercise 08.1, solved: a pixel's luminance in all three channels.
 
 // kernels/picture.cl
 // #region picture_buffer

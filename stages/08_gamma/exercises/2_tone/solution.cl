@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 08.2: solved: Reinhard's curve on the luminance, one factor for all channels.
+// Exercise 08.2, solved: Reinhard's curve on the luminance, one factor for all channels.
 
 // kernels/picture.cl
 // #region picture_buffer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exercise 08.3: solved: the share of pixels that show the upper code is worked out in light.
+// Exercise 08.3, solved: the share of pixels that show the upper code is worked out in light.
 
 // kernels/picture.cl
 // #region picture_buffer

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Exercise 07.2, solved: the work-item of a block's first pixel traces, and fills the block.
+
+// kernels/render.cl
+// #region render_pixel
+#define BLOCK 4
+    if (pixel.x % BLOCK != 0 || pixel.y % BLOCK != 0) {
+        return;
+    }
+    const Ray primary = camera_ray(&camera, pixel);
+    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const int2 end = min(pixel + BLOCK, camera.size);
+    for (int y = pixel.y; y < end.y; ++y) {
+        for (int x = pixel.x; x < end.x; ++x) {
+            write_pixel(image, camera.size.x, (int2)(x, y), color);
+        }
+    }
+// #endregion render_pixel
