@@ -63,6 +63,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     const bool diffuse = glossy || uses(MaterialType::diffuse);
     const bool lit = diffuse && !scene.lights.empty();
     const bool reflection = glossy || uses(MaterialType::mirror);
+    // #region shading_needs
     needs.emplace_back("MATERIAL_COUNT", static_cast<int>(scene.materials.size()));
     needs.emplace_back("LIGHT_COUNT", lit ? static_cast<int>(scene.lights.size()) : 0);
     needs.emplace_back("HAS_POINT_LIGHT", lit && has_light(scene, LightType::point));
@@ -77,6 +78,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     needs.emplace_back("FADED_ONE_IN", reflection || dielectric ? fade_at : 0);
     // Only where a ray splits in two is one left waiting, at each depth.
     needs.emplace_back("STACK_SIZE", dielectric ? max_depth + 1 : 1);
+    // #endregion shading_needs
 }
 
 }  // namespace
@@ -91,6 +93,7 @@ int depth_of(const Scene &scene, int stage) {
     if (stage < fading_stage || scene.has_max_depth) {
         return scene.max_depth;
     }
+    // #region depth_of
     double share = 0;
     for (const int index : used_materials(scene)) {
         share = std::max(share, handed_on(scene.materials[static_cast<std::size_t>(index)]));
@@ -103,6 +106,7 @@ int depth_of(const Scene &scene, int stage) {
         ++depth;
     }
     return depth;
+    // #endregion depth_of
 }
 
 SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at) {

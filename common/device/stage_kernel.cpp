@@ -143,6 +143,7 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
 // Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
 // second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
 // that each has one sample, and a single one is the pixel's centre.
+// #region sample_point
 device::double2 sample_point(int index, int count) {
     int before = 0;  // how many indices have less when they are mirrored
     for (int bit = 1; bit <= index; bit *= 2) {
@@ -152,6 +153,7 @@ device::double2 sample_point(int index, int count) {
     }
     return {{(index + 0.5) / count, (before + 0.5) / count}};
 }
+// #endregion sample_point
 
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
