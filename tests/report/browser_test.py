@@ -12,10 +12,12 @@ import tempfile
 import time
 import zlib
 
-from selenium import webdriver
 from selenium.webdriver import ActionChains, Keys
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent))
+
+from browser import addresses_asked, errors, resize, start_browser  # noqa: E402
 
 REPORT = pathlib.Path(__file__).parent / "report.py"
 WIDTH, HEIGHT = 320, 192
@@ -55,23 +57,6 @@ def write_report(folder):
                           check=False)
 
 
-def start_browser(profile):
-    options = webdriver.ChromeOptions()
-    options.binary_location = "/usr/bin/chromium"
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-                     "--disable-background-networking", f"--user-data-dir={profile}", "--window-size=1440,900"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
-    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-
-
-def resize(browser, width, scheme):
-    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                            {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": False})
-    browser.execute_cdp_cmd("Emulation.setEmulatedMedia",
-                            {"features": [{"name": "prefers-color-scheme", "value": scheme}]})
-
-
 def check_order(browser):
     articles = browser.find_elements(By.CSS_SELECTOR, "article")
     states = [article.get_attribute("class") for article in articles]
@@ -80,6 +65,13 @@ def check_order(browser):
     assert "expected finite numbers" in articles[1].text, articles[1].text
     assert "2 of 3 checks failed" in browser.title
     assert "Not run yet: ./stagelight mutate" in browser.find_element(By.TAG_NAME, "main").text
+
+
+def check_scatter(browser):
+    """A mark for each check that has figures; POV-Ray's are not there."""
+    marks = browser.find_elements(By.CSS_SELECTOR, ".scatter path[class]")
+    assert [mark.get_attribute("class") for mark in marks] == ["failed", "passed"], len(marks)
+    assert "Not run yet: ./stagelight povray" in browser.find_element(By.TAG_NAME, "main").text
 
 
 def check_slider(browser):
@@ -137,12 +129,12 @@ def check_structure(browser):
     assert not unnamed, unnamed
     browser.refresh()  # the focus is at the top again
     order = []
-    for _ in range(19):
+    for _ in range(20):
         browser.switch_to.active_element.send_keys(Keys.TAB)
         focused = browser.switch_to.active_element
         order.append(focused.get_attribute("id") or focused.get_attribute("class") or focused.tag_name)
         assert focused.value_of_css_property("outline-style") != "none", order
-    assert order == (["skip"] + ["a"] * 5 + ["summary", "slide-Stage04_glass_on_made_up", "blink", "wide", "wide", "place", "place",
+    assert order == (["skip"] + ["a"] * 6 + ["summary", "slide-Stage04_glass_on_made_up", "blink", "wide", "wide", "place", "place",
                                        "summary", "wide"] + ["a"] * 3 + ["summary"]), order
 
 
@@ -162,15 +154,12 @@ def check_looks(browser, screenshots):
 
 
 def check_requests(browser):
-    requests = [message["params"] for entry in browser.get_log("performance")
-                for message in [json.loads(entry["message"])["message"]] if message["method"] == "Network.requestWillBeSent"]
-    asked = [request["request"]["url"] for request in requests
-             if not request["documentURL"].startswith("chrome:")]  # Chromium's own page of a new tab
+    asked = addresses_asked(browser)
     assert any(url.endswith("index.html") for url in asked), asked
     strangers = [url for url in asked if not url.startswith(("file:", "data:"))]
     assert not strangers, strangers
-    errors = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
-    assert not errors, errors
+    said = errors(browser)
+    assert not said, said
 
 
 def main():
@@ -191,7 +180,7 @@ def main():
         try:
             resize(browser, 1440, "light")
             browser.get((folder / "out" / "report" / "index.html").as_uri())
-            for check in (check_order, check_slider, check_blink, check_zoom, check_images, check_structure):
+            for check in (check_order, check_scatter, check_slider, check_blink, check_zoom, check_images, check_structure):
                 check(browser)
             check_looks(browser, screenshots)
             check_requests(browser)

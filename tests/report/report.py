@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """report.py RESULTS OUT: the page OUT/report/index.html of what the golden checks left in RESULTS, with its pictures
-beside it. The kill table and the chart are taken from OUT, where there are any."""
+beside it. The kill table, POV-Ray's figures and the chart are taken from OUT, where there are any."""
 import html
 import json
 import math
@@ -9,6 +9,7 @@ import shutil
 import sys
 
 BINS_PER_DECADE, FIRST_DECADE = 2, -7  # of the histogram, as tests/golden/results.cpp counts
+SMALLEST = 1e-9  # an error of 0 has no place on a logarithmic axis
 CROP, SCALE = 13, 12  # pixels of a zoom, and how large each is shown
 PICTURES = {"golden": "Golden", "render": "Render", "difference": "Difference ×16", "edges": "Edge mask",
             "outliers": "Outlier map"}
@@ -133,6 +134,56 @@ def overview(checks):
     return table(["Scene", "OpenCL", "Verdict", "RMSE", "Worst interior", "Allowed", "ms a frame"], rows, "All checks")
 
 
+def scatter(checks):
+    """Time across and error up, a mark for each check; the table below has the same figures."""
+    points = [(c["milliseconds"], max(c["figures"]["rmse"], SMALLEST), c) for c in checks
+              if "figures" in c and "milliseconds" in c and math.isfinite(c["figures"]["rmse"])]
+    if not points:
+        return ""
+    platforms = sorted({c["device"]["platform"] for _, _, c in points})
+    ranges = [(math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)) + 1e-9))
+              for values in ([x for x, _, _ in points], [y for _, y, _ in points])]
+    (left, right), (low, high) = ((a, max(b, a + 1)) for a, b in ranges)
+
+    def across(x):
+        return 60 + 560 * (math.log10(x) - left) / (right - left)
+
+    def up(y):
+        return 260 - 240 * (math.log10(y) - low) / (high - low)
+
+    marks = ["M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0", "M0 -6L6 0L0 6L-6 0Z", "M-5 -5H5V5H-5Z", "M0 -6L6 5H-6Z"]
+    drawn = "".join(f'<line x1="{across(10**e):.1f}" y1="20" x2="{across(10**e):.1f}" y2="260"/>'
+                    f'<text x="{across(10**e):.1f}" y="280">{10**e:g} ms</text>' for e in range(left, right + 1))
+    drawn += "".join(f'<line x1="60" y1="{up(10**e):.1f}" x2="620" y2="{up(10**e):.1f}"/>'
+                     f'<text x="30" y="{up(10**e) + 4:.1f}">1e{e}</text>' for e in range(low, high + 1))
+    for x, y, check in points:
+        mark = marks[platforms.index(check["device"]["platform"]) % len(marks)]
+        drawn += (f'<path class="{"failed" if check["failure"] else "passed"}" d="{mark}" '
+                  f'transform="translate({across(x):.1f} {up(y):.1f})"><title>{text(check["scene"])}, '
+                  f'{text(check["device"]["platform"])}: {x:.1f} ms, RMSE {number(y)}</title></path>')
+    for i, platform in enumerate(platforms):
+        drawn += (f'<path d="{marks[i % len(marks)]}" transform="translate({80 + 280 * i} 300)"/>'
+                  f'<text class="name" x="{92 + 280 * i}" y="304">{text(platform)}</text>')
+    said = "Time of a frame across and RMSE up, both axes logarithmic; a mark for each check, by the table below."
+    return (f'<figure class="scatter"><svg viewBox="0 0 670 314" role="img" aria-label="{said}">{drawn}</svg>'
+            f"<figcaption>{said} Those that failed are hollow.</figcaption></figure>")
+
+
+def povray_table(file):
+    if not file.exists():
+        return "<p>Not run yet: <code>./stagelight povray</code></p>"
+    scenes = json.loads(file.read_text(encoding="utf-8"))
+    rows = [(text(name), f'<span class="verdict {"failed" if s["failure"] else "passed"}">'
+             f'{"differs" if s["failure"] else "agrees"}</span>', number(s["worst_interior"]), s["edge_outliers"],
+             s["strays"], s["edge_pixels"], number(s["mean_signed_error"]), number(s["rmse"]), text(s["failure"]))
+            for name, s in scenes.items()]
+    agree = sum(not s["failure"] for s in scenes.values())
+    return (f"<p>{agree} of {len(scenes)} scenes agree with the reference within what <code>golden/tolerances.toml</code> "
+            "allows; docs/pov-ray.md explains where the two differ.</p>"
+            + table(["Scene", "Verdict", "Worst interior", "Edge outliers", "Strays", "Pixels on edges",
+                     "Mean signed error", "RMSE", "What differs"], rows, "Scenes as POV-Ray draws them"))
+
+
 def kill_table(file):
     if not file.exists():
         return "<p>Not run yet: <code>./stagelight mutate</code></p>"
@@ -182,8 +233,9 @@ def write_page(checks, results, out, folder):
         "WHEN": text(f"Checked from {times[0]} to {times[-1]}"),
         "FAILED": "".join(map(article, failed)) or "<p>None.</p>",
         "PASSED": "".join(map(article, passed)) or "<p>None.</p>",
-        "OVERVIEW": overview(checks),
+        "OVERVIEW": scatter(checks) + overview(checks),
         "KILLS": kill_table(out / "mutants.json"),
+        "POVRAY": povray_table(out / "povray.json"),
         "CHART": chart(out, folder),
         "CROP": CROP, "SCALE": SCALE,
     }
