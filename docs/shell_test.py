@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""shell_test.py: runs every command that the course shows in an sh block, in the order of the pages, from the
-checkout's folder; each once."""
+"""shell_test.py BUILD: runs every command that the course shows in an sh block, in the order of the pages, from the
+checkout's folder; each once. What stands in a reader's build/release is taken from BUILD."""
 import re
 import subprocess
 import sys
@@ -36,8 +36,9 @@ def main():
             continue
         seen.add(command)
         start = time.monotonic()
+        here = command.replace("build/release/", f"{sys.argv[1]}/")
         try:
-            done = subprocess.run(["bash", "-c", command], cwd=ROOT, stdin=subprocess.DEVNULL, timeout=LIMIT,
+            done = subprocess.run(["bash", "-c", here], cwd=ROOT, stdin=subprocess.DEVNULL, timeout=LIMIT,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
             code, output = done.returncode, done.stdout
         except subprocess.TimeoutExpired:
