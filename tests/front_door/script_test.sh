@@ -375,11 +375,22 @@ test_doctor_needs_a_device_that_shows() {
     [[ $output != *"no device"* ]] || fail "expected llvmpipe to do, but:" "$output"
 }
 
-test_ci_run_runs_the_tests() {
+# It goes on where a part has failed, says which did, and fails in the end.
+test_ci_run_asks_for_each_part() {
     mkdir "$checkout/.ci"
     cp "$source_dir/.ci/run" "$checkout/.ci"
-    output=$(cd "$scratch" && PATH=$machine "$checkout/.ci/run" </dev/null 2>/dev/null)
-    expect_text "ctest's options" "'--preset' 'ci'" "$output"
+    # shellcheck disable=SC2016 # expanded by the script
+    printf '#!/bin/bash\necho "asked ${CI:-} $*"\necho "100%% tests passed"\n[[ $* != "${bad:-}" ]]\n' >"$checkout/stagelight"
+    local all='asked true test asked true check asked true exercise prove asked true docs test '
+    output=$("$checkout/.ci/run" </dev/null)
+    expect_equal "the parts" "$all" "$(grep ^asked <<<"$output" | tr '\n' ' ')"
+    expect_equal "the last line" "4 passed, 0 failed" "${output##*$'\n'}"
+    code=0
+    output=$(bad=check "$checkout/.ci/run" </dev/null) || code=$?
+    expect_equal "exit code" 1 "$code"
+    expect_equal "the parts" "$all" "$(grep ^asked <<<"$output" | tr '\n' ' ')"
+    expect_text "what failed" "./stagelight check failed" "$output"
+    expect_equal "the last line" "3 passed, 1 failed" "${output##*$'\n'}"
 }
 
 make_machine
