@@ -122,5 +122,19 @@ TEST_P(Stage02Shadow, OfWhatStandsBehindALightIsNone) {
     expect_color(draw(stage, scene).image, 0, 0, white);
 }
 
+// A shadow ray starts no farther off the floor than rounding moves a point there, here some 5e-6: a
+// ball of the radius 1e-4 in its way, twice that off, is not jumped.
+TEST_P(Stage02Shadow, OfWhatIsNextToTheFloorIsThere) {
+    Scene scene = one_pixel({0, 10.01, 0}, {0, 10, 0});
+    scene.camera.up = {0, 0, -1};
+    add_plane(scene, {0, 1, 0}, {0, 10, 0}, diffuse(white));
+    const double slant = std::sqrt(0.5);
+    add_sphere(scene, {2e-4 * slant, 10 + 2e-4 * slant, 0}, 1e-4, diffuse(white));
+    add_directional_light(scene, {-slant, -slant, 0}, white, 1);
+    expect_color(draw(stage, scene).image, 0, 0, dvec3(0));
+    scene.spheres[0].center.z = 1.5e-4;
+    expect_color(draw(stage, scene).image, 0, 0, dvec3(slant));
+}
+
 }  // namespace
 }  // namespace stagelight::render
