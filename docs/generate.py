@@ -116,6 +116,9 @@ def wanted_pictures():
     wanted = {}
     for file in sorted((DOCS / "pictures").glob("*.toml")):
         for name, picture in tomllib.loads(file.read_text()).items():
+            if unknown := picture.keys() - {"stage", "scene", "options", "mutant", "regions"}:
+                fail(f"{file.relative_to(ROOT)}: {name}: {', '.join(unknown)}: expected stage, scene, options, mutant or "
+                     "regions")
             if name in wanted:
                 fail(f"{file.relative_to(ROOT)}: there is a picture {name} already")
             wanted[name] = picture
