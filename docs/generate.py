@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 GENERATED = DOCS / "generated"
 PUBLIC = DOCS / "public"
+CHART = PUBLIC / "generated" / "chart"
 sys.path += [str(ROOT / "stages"), str(ROOT / "tests" / "mutants")]
 
 import difference  # noqa: E402
@@ -151,41 +152,53 @@ def draw(build, name, picture):
         fail(f"picture {name}: {done.stderr.strip()}")
 
 
+def hash_of_sources():
+    """Of all that a picture can be made of."""
+    files = [file.read_bytes() for pattern in ("kernels/*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
+                                               "tests/mutants/*.toml", "stages/*/exercises/*/*.cl", "docs/pictures/*.cl")
+             for file in sorted(ROOT.glob(pattern)) if file.is_file()]
+    return hashlib.sha256(b"".join(files)).hexdigest()
+
+
 def draw_pictures(build):
     (PUBLIC / "generated").mkdir(parents=True, exist_ok=True)
     made_of = build / "docs_pictures.json"
     drawn = json.loads(made_of.read_text()) if made_of.exists() else {}
-    kernels = [file.read_bytes() for pattern in ("kernels/*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
-                                                  "tests/mutants/*.toml", "stages/*/exercises/*/*.cl", "docs/pictures/*.cl")
-               for file in sorted(ROOT.glob(pattern)) if file.is_file()]
-    sources = hashlib.sha256(b"".join(kernels)).hexdigest()
-    for name, picture in wanted_pictures().items():
-        key = hashlib.sha256((json.dumps(picture) + sources).encode()).hexdigest()
-        if drawn.get(name) != key or not (PUBLIC / "generated" / f"{name}.png").exists():
-            draw(build, name, picture)
+    sources = hash_of_sources()
+
+    def unless_drawn(name, recipe, file, draw_it):
+        key = hashlib.sha256((json.dumps(recipe) + sources).encode()).hexdigest()
+        if drawn.get(name) != key or not file.exists():
+            draw_it()
             drawn[name] = key
             made_of.write_text(json.dumps(drawn, indent=1))
 
-
-def draw_chart(build):
-    """The pictures of a quick run, the figures of the recorded one."""
-    folder = PUBLIC / "generated" / "chart"
-    if not (folder / "chart.json").exists():
-        with tempfile.TemporaryDirectory() as scratch:
-            scenes = [f"--scene={ROOT / 'scenes' / scene['name']}.toml" for scene in recorded.read("chart.json")["scenes"]]
-            done = subprocess.run([build / "tools" / "chart", "--quick", *scenes], cwd=scratch, capture_output=True,
-                                  text=True)
-            if done.returncode:
-                fail(f"the chart: {done.stderr.strip()}")
-            shutil.rmtree(folder, ignore_errors=True)
-            shutil.move(Path(scratch) / "out" / "chart", folder)
+    for name, picture in wanted_pictures().items():
+        unless_drawn(name, picture, PUBLIC / "generated" / f"{name}.png", lambda: draw(build, name, picture))
     report = recorded.read("chart.json")
+    scenes = [scene["name"] for scene in report["scenes"]]
+    unless_drawn("chart", scenes, CHART / "chart.json", lambda: draw_chart(build, scenes))
+    show_chart(report)
+
+
+def draw_chart(build, scenes):
+    with tempfile.TemporaryDirectory() as scratch:
+        options = [f"--scene={ROOT / 'scenes' / name}.toml" for name in scenes]
+        done = subprocess.run([build / "tools" / "chart", "--quick", *options], cwd=scratch, capture_output=True, text=True)
+        if done.returncode:
+            fail(f"the chart: {done.stderr.strip()}")
+        shutil.rmtree(CHART, ignore_errors=True)
+        shutil.move(Path(scratch) / "out" / "chart", CHART)
+
+
+def show_chart(report):
+    """The pictures of the quick run, the figures of the recorded one."""
     for scene in report["scenes"]:
         for point in scene["points"]:
-            if not (folder / point["picture"]).exists():  # a quick run takes no samples
+            if not (CHART / point["picture"]).exists():  # a quick run takes no samples
                 point["picture"] = point["difference"] = None
-    (folder / "chart.json").write_text(json.dumps(report))
-    subprocess.run([sys.executable, ROOT / "tests/chart/plot.py", folder,
+    (CHART / "chart.json").write_text(json.dumps(report))
+    subprocess.run([sys.executable, ROOT / "tests/chart/plot.py", CHART,
                     "/usr/share/javascript/chart.js/chart.min.js"], check=True, stdout=subprocess.DEVNULL)
 
 
@@ -214,13 +227,12 @@ def write(name, text):
 
 
 def main():
-    build = Path(sys.argv[1])
+    build = Path(sys.argv[1]).resolve()
     show_differences()
     show_costs()
     show_exercises()
     copy_sources()
     draw_pictures(build)
-    draw_chart(build)
 
 
 main()
