@@ -203,7 +203,7 @@ void report(const std::string &stage, const cl::Device &device, const StageKerne
     }
     std::string left;
     for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
-        left += (left.empty() ? "left out: " : ", ") + what;
+        left += (left.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
     }
     if (!left.empty()) {
         fmt::print("{}\n", left);

@@ -90,7 +90,8 @@ TEST_F(Stage10Needs, AreToldWithWhatTheyLeaveOut) {
                           {"smooth glass", "no mesh is dielectric"},
                           {"branch on the type of light", "all lights are of one type"},
                           {"stack", "no ray splits in two: it has one place"}}));
-    expect_part(said(), "left out: mirrors, refraction, triangles, textures, ");
+    expect_part(said(), "not in the kernel, as this scene needs none: mirrors, refraction, "
+                        "triangles, textures, ");
     const json with_glass =
         stats("type = \"dielectric\"\n", {}, "[[lights]]\ntype = \"point\"\nposition = [0, 5, 0]\n")
             .at("left_out");
