@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Disks and devices that fail: one line, the right exit code, and no half file.
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 
@@ -41,9 +42,10 @@ file = "cube.obj"
 )");
     }
 
-    Outcome draw(const std::string &fault, const std::string &out) const {
+    Outcome draw(const std::string &fault, const std::string &out,
+                 const std::string &stats = "stats.json") const {
         return run("06_textures",
-                   Start{{"scene.toml", "--size", "64x40", "--out", out, "--stats", "stats.json"},
+                   Start{{"scene.toml", "--size", "64x40", "--out", out, "--stats", stats},
                          {"LD_PRELOAD=" STAGELIGHT_FAULTS, "STAGELIGHT_FAULT=" + fault,
                           "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0"}});
     }
@@ -76,6 +78,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"clEnqueueNDRangeKernel", machines_lack, "try another --device"},
                     Fault{"clFinish", machines_lack, "try another --device"},
                     Fault{"clEnqueueReadBuffer", machines_lack, "try another --device"}));
+
+class Stage06FullDisk : public Faults {};
+
+TEST_F(Stage06FullDisk, IsToldOfAPngToo) {
+    const Files before = files();
+    expect_one_line(draw("write:.stagelight-", "a.png"), users_mistake,
+                    "a.png: cannot be written: No space left on device");
+    EXPECT_EQ(files(), before);
+}
+
+TEST_F(Stage06FullDisk, LeavesThePictureThatIsWholeWhenStatsFindNoRoom) {
+    fs::create_directory(folder.path() / "other_disk");
+    Files after = files();
+    after.insert(std::ranges::upper_bound(after, "a.exr"), "a.exr");
+    expect_one_line(draw("write:other_disk/.stagelight-", "a.exr", "other_disk/stats.json"),
+                    users_mistake, "stats.json: cannot be written: No space left on device");
+    EXPECT_EQ(files(), after);
+    read_picture_file(folder.path() / "a.exr");
+}
 
 class Stage06ShortTransfer : public Faults {};
 
