@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "golden/suite.h"
 #include "image/compare.h"
@@ -17,6 +18,9 @@ struct Verdict {
     reference::Result truth;
     Comparison comparison;  // by golden/tolerances.toml, where POV-Ray is the device "povray"
 };
+
+// The goldens' scenes and a closed mesh of glass, which none of them has.
+std::vector<golden::GoldenScene> judged_scenes();
 
 // Exports the scene to `folder`, at the goldens' size, and has it drawn. By what both can:
 // Fresnel's equations, and lights without a range.
