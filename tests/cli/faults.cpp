@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Preloaded, makes a call fail: STAGELIGHT_FAULT is its name, and for those that take a file
-// ":" and a part of that file's path.
+// ":" and a part of that file's path. Of OpenCL's, STAGELIGHT_FAULT_AFTER as many succeed first.
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +17,12 @@ namespace {
 
 bool is_to_fail(const char *call) {
     const char *fault = std::getenv("STAGELIGHT_FAULT");
-    return fault != nullptr && std::string_view(fault) == call;
+    if (fault == nullptr || std::string_view(fault) != call) {
+        return false;
+    }
+    static std::atomic<int> calls = 0;
+    const char *after = std::getenv("STAGELIGHT_FAULT_AFTER");
+    return ++calls > (after == nullptr ? 0 : std::atoi(after));
 }
 
 bool is_to_fail(const char *call, int descriptor) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // --window and --display: the ladder as a user climbs down it.
+#include <algorithm>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -115,6 +116,25 @@ TEST_F(Stage07Window, ADeviceThatCannotShareCopies) {
     EXPECT_EQ(stats().at("rung"), "copy");
     expect_part(stats().at("reason"), "no shared: ");
     EXPECT_EQ(files(), std::vector<std::string>{"stats.json"}) << "a window writes no picture";
+}
+
+// Frames are shown before it is lost. No rung below holds then, nor does a picture without a
+// window.
+TEST_F(Stage07Window, ADeviceThatIsLostIsTheMachinesLack) {
+    for (const std::string rung : {"shared", "copy"}) {
+        const Outcome outcome = show(
+            "07_interop",
+            {"--display", rung, "--frames", "60", "--out", "a.exr", "--stats", "stats.json"},
+            {layer, "LD_PRELOAD=" STAGELIGHT_FAULTS, "STAGELIGHT_FAULT=clEnqueueNDRangeKernel",
+             "STAGELIGHT_FAULT_AFTER=20", "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0"});
+        EXPECT_EQ(outcome.code, machines_lack) << outcome;
+        expect_part(outcome.out, "display: " + rung + ": ");
+        expect_part(outcome.out, "display: no " + rung + ": clEnqueueNDRangeKernel failed");
+        expect_part(outcome.out, "display: no copy: clEnqueueNDRangeKernel failed");
+        expect_part(outcome.err, "try another --device");
+        EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome;
+        EXPECT_EQ(files(), std::vector<std::string>{});
+    }
 }
 
 TEST_F(Stage07Window, ScaleMakesTheWindowLargerThanThePicture) {
