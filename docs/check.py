@@ -4,8 +4,8 @@
 pages: listings name regions that are there, words in code font name something in the sources, chapters have their
 parts, pictures are drawn and shown. site: no page of the built site has a dead link or asks an outside address."""
 import html.parser
+import os
 import re
-import subprocess
 import sys
 import tomllib
 import urllib.parse
@@ -29,10 +29,12 @@ def wrong(file, line, what):
     problems.append(f"{file.relative_to(ROOT)}:{line}: {what}")
 
 
-def tracked():
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
-                            check=True, capture_output=True, text=True).stdout
-    return [ROOT / name for name in listed.split("\0") if name and (ROOT / name).is_file()]
+def sources():
+    """All files but those that .gitignore names. Not by git: who downloads an archive needs none."""
+    made = {ROOT / line.strip("/") for line in (ROOT / ".gitignore").read_text().split()} | {ROOT / ".git"}
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = [name for name in folders if Path(folder, name) not in made and name != "__pycache__"]
+        yield from (Path(folder, name) for name in names)
 
 
 def known_words(files):
@@ -140,7 +142,7 @@ def check_pictures(pages):
 
 
 def check_pages():
-    files = tracked()
+    files = sorted(sources())
     known = known_words(files)
     paths = ["/" + str(file.relative_to(ROOT)) for file in files]
     chapters = sorted((DOCS / "chapters").glob("*.md"))
