@@ -22,8 +22,8 @@ static float3 filtered_sampler(const float2 texel, const float layer TEXTURE_PAR
 }
 // #endregion filtered_sampler
 
-// In float, whatever precision the device's filter has: OpenCL asks for no more than 8 bits of its
-// weights (specification 1.2, section 8.2).
+// In float, whatever precision the device's filter has: OpenCL does not say how precise its
+// weights must be (specification 1.2, section 6.12.14).
 __constant sampler_t nearest_sampler =
     CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
 
