@@ -368,6 +368,7 @@ test_doctor_on_a_complete_machine() {
 # rusticl shows its device only when told to, so by itself it is not enough.
 test_doctor_needs_a_device_that_shows() {
     fake clinfo "$(clinfo_of llvmpipe rusticl)"
+    unset RUSTICL_ENABLE # which test --device sets
     stagelight doctor
     expect_text "doctor" "LACKING: no device" "$output"
     expect_text "doctor" "with RUSTICL_ENABLE=llvmpipe" "$output"
