@@ -11,6 +11,8 @@ import tomllib
 import urllib.parse
 from pathlib import Path
 
+import recorded
+
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 HEADINGS = ["The question", "The idea", "The mathematics", "The code", "What changed", "The picture", "What it costs",
@@ -141,6 +143,19 @@ def check_pictures(pages):
         wrong(wanted[name], 1, f"no page shows {name}")
 
 
+def check_readme():
+    """Its table has the medians of the recorded run, to two digits."""
+    runs = [scene["own"] for scene in recorded.read("costs.json")["scenes"].values()]
+    medians = {run["stage"]: run["median"] for run in runs}
+    for number, line in enumerate((ROOT / "README.md").read_text().splitlines(), 1):
+        if row := re.match(r"\| \[(\d\d_\w+)\]\(.*\| ([\d.]+) \|$", line):
+            expected = f"{float(f'{medians.pop(row[1], 0):.2g}'):g}"
+            if row[2] != expected:
+                wrong(ROOT / "README.md", number, f"{row[2]} ms, recorded {expected}")
+    if medians:
+        problems.append(f"README.md: no row for {', '.join(medians)}")
+
+
 def check_pages():
     files = sorted(sources())
     known = known_words(files)
@@ -163,6 +178,7 @@ def check_pages():
     for drawing in sorted((DOCS / "drawings").glob("*.svg")):
         check_drawing(drawing)
     check_pictures(pages)
+    check_readme()
 
 
 # --- The built site
