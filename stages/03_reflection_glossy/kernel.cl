@@ -3,5 +3,5 @@
 // OpenCL C knows no recursion, the rays that wait for their turn are kept on a stack.
 #include "ray_stack.cl"   // new: the rays still to be traced
 #include "reflection.cl"  // new: the ray that a mirror sends on
-#include "render.cl"      // new: the kernel, from now on the same
+#include "render.cl"      // new: the kernel, the same up to stage 08
 #include "trace.cl"       // new: the loop that takes rays from the stack until none is left
