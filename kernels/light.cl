@@ -11,7 +11,7 @@ typedef struct Illumination {
 #if HAS_POINT_LIGHT
 // #region point_light
 // Inverse square falloff, windowed to end at the range without a step (Lagarde and de
-// Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 3.1.3).
+// Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 4.4).
 static Illumination point_light_at(const Light light, const float3 position) {
     const float3 to_light = XYZ(light.as.point.position) - position;
     const float distance = length(to_light);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The OpenCL implementations that tests run on: the two that packages.txt brings, which share no
-// compiler, or the one that STAGELIGHT_DEVICE names (./stagelight test --device), where programs
-// that tests start draw too.
+// The OpenCL implementations that tests run on: the two that packages.txt brings, which share Clang
+// and LLVM and nothing else, or the one that STAGELIGHT_DEVICE names (./stagelight test --device),
+// where programs that tests start draw too.
 #pragma once
 
 #include <algorithm>

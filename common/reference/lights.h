@@ -14,7 +14,7 @@ template <typename Number> struct Arriving {
 };
 
 // Lets a light's reach end smoothly (Lagarde and de Rousiers, Moving Frostbite to Physically
-// Based Rendering, 2014, section 3.1.3).
+// Based Rendering, 2014, section 4.4).
 template <typename Number> Number range_window(Number distance, Number range) {
     const Number share = distance / range;
     const Number left = std::max(Number(0), 1 - share * share * share * share);

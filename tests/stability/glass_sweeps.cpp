@@ -145,9 +145,11 @@ public:
 TEST_P(StabilityStage10Fresnel, IndexAngleAndTotalReflection) {
     Reflectance index("fresnel_index", "Glass as thin as air", "1 / (index - 1)", "any index",
                       GetParam());
-    Reflectance angle("fresnel_angle", "Grazing light", "1 / cosine", "any angle", GetParam());
-    Reflectance critical("fresnel_critical", "At total reflection", "1 / |sine - critical sine|",
-                         "to 1e-7 from the critical sine", GetParam());
+    Reflectance angle("fresnel_angle", "Grazing light: what is reflected", "1 / cosine",
+                      "any angle", GetParam());
+    Reflectance critical("fresnel_critical", "At total reflection: what is reflected",
+                         "1 / |sine - critical sine|", "to 1e-7 from the critical sine",
+                         GetParam());
     for (const Methods &methods : {poor, habit, best}) {
         const std::string method = methods.at("fresnel");
         const DeviceProgram program = build("optics.cl", with_glass, methods);
@@ -175,7 +177,8 @@ TEST_P(StabilityStage10Fresnel, EqualIndicesReflectNothing) {
             cases.add(x, 1 / x, 1, i % 2 == 1);
         }
     }
-    Reflectance equal("fresnel_equal", "No glass at all", "1 / cosine", "any angle", GetParam());
+    Reflectance equal("fresnel_equal", "No glass at all: what is reflected", "1 / cosine",
+                      "any angle", GetParam());
     for (const Methods &methods : {poor, habit, best}) {
         equal.measure(methods.at("fresnel"), build("optics.cl", with_glass, methods), cases);
     }
@@ -212,7 +215,7 @@ Question refraction(const char *name, const char *title, const char *x_label, co
 
 TEST_P(StabilityStage04Refraction, BendsAsSnellSays) {
     const DeviceProgram program = build("optics.cl", with_glass, best);
-    Sweep critical(refraction("refraction_critical", "At total reflection",
+    Sweep critical(refraction("refraction_critical", "At total reflection: where it goes",
                               "1 / |sine - critical sine|", "to 1e-6 from the critical sine"),
                    GetParam());
     Sweep decision({.name = "refraction_decision",
@@ -227,12 +230,14 @@ TEST_P(StabilityStage04Refraction, BendsAsSnellSays) {
     critical.expect_holds("snell", 1e6);
     decision.expect_holds("snell", std::pow(10, 6.75));
     decision.expect_fails("snell", 1e8);
-    Sweep grazing(refraction("refraction_grazing", "Grazing light", "1 / cosine", "any angle"),
-                  GetParam());
+    Sweep grazing(
+        refraction("refraction_grazing", "Grazing light: where it goes", "1 / cosine", "any angle"),
+        GetParam());
     measure_refraction(grazing, program, by_angle({1.1, 1.33, 1.5, 2.4, 4}));
     grazing.expect_holds("snell", 1e6);
-    Sweep equal(refraction("refraction_equal", "No glass at all", "1 / cosine", "any angle"),
-                GetParam());
+    Sweep equal(
+        refraction("refraction_equal", "No glass at all: where it goes", "1 / cosine", "any angle"),
+        GetParam());
     measure_refraction(equal, program, by_angle({1}));
     equal.expect_holds("snell", 1e6);
 }

@@ -20,7 +20,7 @@ SMALLEST = 1e-12  # an error of 0 has no place on a logarithmic axis
 
 # Title, scene, the option that fails, what is seen.
 GALLERY = [
-    ("Spheres far away", "failures/far_spheres.toml", ["--method", "sphere=textbook"],
+    ("Spheres far away, seen", "failures/far_spheres.toml", ["--method", "sphere=textbook"],
      "b² and 4c are nearly one and the same: what is left is noise."),
     ("A small mesh", "failures/small_mesh.toml", ["--method", "triangle=threshold"],
      "The determinant shrinks with the square of a triangle's size: the mesh vanishes."),
@@ -94,7 +94,7 @@ def sweep_lines(name, by_device):
     first = next(iter(by_device.values()))
     stated = f"; stated: {first['stated']}" if first["stated"] else ""
     lines = [f"## {first['title']}", "", f"![{first['title']}]({name}.svg)", "",
-             f"Fails above {first['limit']:.3g} ({first['y_label']}){stated}. First {first['x_label']} that fails:", "",
+             f"Fails above {first['limit']:.3g} ({first['y_label']}){stated}. Where each method first fails, by {first['x_label']}:", "",
              "| method | " + " | ".join(DEVICES[device][0] for device in by_device) + " |",
              "|---|" + "---|" * len(by_device)]
     names = list(dict.fromkeys(m["name"] for sweep in by_device.values() for m in sweep["methods"]))
@@ -129,10 +129,11 @@ def main():
         old.unlink()
     lines = ["<!-- Written by ./stagelight stability from the figures of tests/stability: do not edit. -->",
              "# Where methods fail", "",
-             "Each choice of the tracer has several methods (`--method list`). Here is, for each, the sweep that breaks "
-             "it, against long double or a closed form. `ctest -L stability` asserts that the sound methods hold where "
-             "it is said, and that the poor ones fail, so that this page stays true. In the plots a cross is the first "
-             "point above the limit (red); solid lines are PoCL's, dotted ones rusticl's.", ""]
+             "Each choice of the tracer has several methods (`--method list`). Each sweep pushes one quantity until "
+             "methods break, or to its end: then they \"hold\". They are compared with long double or a closed form; "
+             "\"–\" is what a device cannot do, or was not tried there. `ctest -L stability` asserts that the sound "
+             "methods hold where it is said, and that the poor ones fail, so that this page stays true. In the plots a "
+             "cross is the first point above the limit (red); solid lines are PoCL's, dotted ones rusticl's.", ""]
     for name, by_device in sweeps.items():
         draw_sweep(by_device, docs / f"{name}.svg")
         lines += sweep_lines(name, by_device)
