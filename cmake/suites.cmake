@@ -16,7 +16,7 @@ macro(add name filter)
   endif()
   string(APPEND tests
          "add_test([=[${NAME}.${name}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=])\n"
-         "set_tests_properties([=[${NAME}.${name}]=] PROPERTIES LABELS ${label} TIMEOUT 300)\n")
+         "set_tests_properties([=[${NAME}.${name}]=] PROPERTIES LABELS ${label})\n")
 endmacro()
 
 macro(finish_suite)
