@@ -30,10 +30,11 @@ void *operator new(std::size_t size) {
 void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
     return allocate(size);
 }
-void operator delete(void *memory) noexcept {
+// Inlined where operator new is not, GCC says that the two don't match.
+[[gnu::noinline]] void operator delete(void *memory) noexcept {
     std::free(memory);
 }
-void operator delete(void *memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void *memory, std::size_t) noexcept {
     std::free(memory);
 }
 
