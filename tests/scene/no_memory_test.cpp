@@ -20,17 +20,17 @@ void *allocate(std::size_t size) noexcept {
 
 }  // namespace
 
-// For the whole program, Assimp's and FreeImage's code too.
-void *operator new(std::size_t size) {
+// For the whole program, Assimp's and FreeImage's code too. Where one of a pair is inlined and the
+// other is not, GCC says that the two don't match.
+[[gnu::noinline]] void *operator new(std::size_t size) {
     if (void *memory = allocate(size)) {
         return memory;
     }
     throw std::bad_alloc();
 }
-void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
+[[gnu::noinline]] void *operator new(std::size_t size, const std::nothrow_t &) noexcept {
     return allocate(size);
 }
-// Inlined where operator new is not, GCC says that the two don't match.
 [[gnu::noinline]] void operator delete(void *memory) noexcept {
     std::free(memory);
 }
