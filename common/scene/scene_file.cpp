@@ -165,10 +165,30 @@ std::string read_text(const std::filesystem::path &file) {
     return text;
 }
 
+// toml++ goes one call deeper for each part of a dotted key, to the end of the stack.
+void require_short_keys(const std::string &text, const std::filesystem::path &file) {
+    constexpr int most_parts = 1000;
+    unsigned line = 1;
+    int parts = 1;  // of what may be a key
+    for (const char c : text) {
+        line += c == '\n' ? 1 : 0;
+        if (c == '.') {
+            ++parts;
+        } else if (std::string_view("=[]{},#\n").find(c) != std::string_view::npos) {
+            parts = 1;
+        }
+        if (parts > most_parts) {
+            throw UserError(fmt::format("{}: a key of more than {} parts, expected a few",
+                                        to_string({file.string(), line, 1}), most_parts));
+        }
+    }
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path &file) {
     const std::string text = read_text(file);
+    require_short_keys(text, file);
     try {
         const toml::table root = toml::parse(text);
         return read_scene(file, TableReader(root, "the scene", {file.string(), 1, 1}));

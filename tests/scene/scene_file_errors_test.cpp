@@ -43,6 +43,15 @@ std::string name_of(const testing::TestParamInfo<Mistake> &info) {
     return info.param.name;
 }
 
+// a.a.a…
+std::string dotted(int parts) {
+    std::string key = "a";
+    for (int i = 1; i < parts; ++i) {
+        key += ".a";
+    }
+    return key;
+}
+
 const auto syntax = testing::Values(
     Mistake{"empty", "# camera", ":1:1: [camera] has no position, expected three numbers"},
     Mistake{"unclosed_string", "a = \"abc",
@@ -55,6 +64,8 @@ const auto syntax = testing::Values(
     Mistake{"duplicate_material",
             "[materials.a]\ntype = \"diffuse\"\n[materials.a]\ntype = \"mirror\"",
             ":3:1: Error while parsing table header: cannot redefine existing table 'materials.a'"},
+    Mistake{"endless_key", "[image]\n" + dotted(100000) + " = 1\n",
+            ":2:1: a key of more than 1000 parts, expected a few"},
     Mistake{"too_large_for_toml", "[trace]\nmax_depth = 99999999999999999999\n",
             ":2:33: Error while parsing decimal integer: '99999999999999999999' is not "
             "representable in 64 bits"},
