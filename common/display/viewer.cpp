@@ -203,9 +203,12 @@ void Viewer::keep_build_log(const std::string &log) {
 
 void Viewer::take_screenshot() {
     finish_all();
-    std::filesystem::path file = view_.screenshots;
-    file.replace_filename(
-        fmt::format("{}_{}{}", file.stem().string(), ++screenshots_, file.extension().string()));
+    std::filesystem::path file;
+    do {  // those of earlier runs stay
+        file = view_.screenshots;
+        file.replace_filename(fmt::format("{}_{}{}", file.stem().string(), ++screenshots_,
+                                          file.extension().string()));
+    } while (exists(file));
     std::error_code ignored;  // what is wrong with the folder is told by write_image
     std::filesystem::create_directories(file.parent_path(), ignored);
     try {

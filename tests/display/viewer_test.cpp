@@ -43,7 +43,11 @@ protected:
     // is asked for then lies on disk. Twice, since a frame may have been started in between.
     class Person : public XClient {
     public:
-        explicit Person(const fs::path &shots) : XClient("viewer"), shots_(shots) {}
+        explicit Person(const fs::path &shots) : XClient("viewer"), shots_(shots) {
+            while (fs::exists(shot(count_ + 1))) {
+                ++count_;
+            }
+        }
 
         void tap(const std::string &key) {
             press(key);
@@ -58,11 +62,12 @@ protected:
         void settle() {
             for (int i = 0; i < 2; ++i) {
                 tap("p");
-                wait_for(shots_ / fmt::format("shot_{}.exr", ++count_));
+                wait_for(shot(++count_));
             }
         }
 
     private:
+        fs::path shot(int index) const { return shots_ / fmt::format("shot_{}.exr", index); }
         static void wait_for(const fs::path &file) {
             for (int i = 0; i < 3000 && !fs::exists(file); ++i) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -215,6 +220,15 @@ TEST_F(Stage07Viewer, ScreenshotsAreThePictureAndCountUp) {
         EXPECT_EQ(shot.width, 64);
         EXPECT_EQ(shot.at(32, 20, 2), seen.picture.at(32, 20).b);
     }
+}
+
+TEST_F(Stage07Viewer, ScreenshotsOfEarlierRunsStay) {
+    run([](Person &) {});
+    const fs::path first = folder.path() / "shot_1.exr";
+    const auto written = fs::last_write_time(first);
+    run([](Person &) {});
+    EXPECT_EQ(fs::last_write_time(first), written);
+    EXPECT_TRUE(fs::exists(folder.path() / "shot_8.exr"));
 }
 
 TEST_F(Stage07Viewer, ReloadedKernelsDrawTheNextFrame) {
