@@ -19,9 +19,9 @@ inline const char *const asked_device = std::getenv("STAGELIGHT_DEVICE");
 inline const bool rusticl_enabled =
     setenv("RUSTICL_ENABLE", "llvmpipe", asked_device == nullptr) == 0;
 
-// By parts of their devices' names: PoCL's, and rusticl's on Mesa's llvmpipe.
+// By parts of what --list-devices says: PoCL's version, and rusticl's device on Mesa's llvmpipe.
 inline const std::vector<const char *> implementations =
-    asked_device != nullptr ? std::vector{asked_device} : std::vector{"pthread", "llvmpipe"};
+    asked_device != nullptr ? std::vector{asked_device} : std::vector{"pocl", "llvmpipe"};
 
 inline bool is_rusticl(const std::string &device) {
     return device.find("llvmpipe") != std::string::npos;

@@ -2,11 +2,14 @@
 #include "app/options.h"
 
 #include <algorithm>
+#include <limits>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <fmt/format.h>
 
+#include "image/image_io.h"
 #include "scene/errors.h"
 #include "scene/lessons.h"
 #include "scene/scene_file.h"
@@ -33,6 +36,45 @@ std::pair<int, int> parse_size(const std::string &text) {
                                     text, largest_image_size));
     }
     return {width, height};
+}
+
+// Of a number that is one: CLI::Range lets NaN through, and prints 309 digits of the smallest.
+CLI::Validator within(double least, double most) {
+    const auto check = [=](const std::string &text) -> std::string {
+        double value = 0;
+        const char *end = text.data() + text.size();
+        const auto [after, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc() && after == end && value >= least && value <= most) {
+            return "";
+        }
+        return least < 1 ? fmt::format("{}: expected a number above 0, at most {}", text, most)
+                         : fmt::format("{}: expected a number from {} to {}", text, least, most);
+    };
+    return {check, "", ""};
+}
+
+// Each file that is written is another than the rest, and none is the scene.
+void require_distinct_files(const Options &options) {
+    const auto place_of = [](const std::filesystem::path &file) {
+        std::error_code ignored;  // a file that can't be looked at is told of when it is used
+        return weakly_canonical(absolute(file, ignored), ignored);
+    };
+    const std::pair<const char *, std::optional<std::filesystem::path>> files[] = {
+        {"the scene", options.scene},
+        {"--out", options.out},
+        {"--stats", options.stats},
+        {"--export-pov", options.export_pov}};
+    for (const auto &[name, file] : files) {
+        for (const auto &[before, other] : files) {
+            if (before == name) {
+                break;
+            }
+            if (file && other && place_of(*file) == place_of(*other)) {
+                throw UserError(fmt::format("{} {}: {} is the same file, expected another", name,
+                                            file->string(), before));
+            }
+        }
+    }
 }
 
 // A line for each method of a stage, the default of its kind first.
@@ -107,7 +149,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
         ->capture_default_str();
     app.add_option("--scale", options.scale,
                    "the window's pixels for one of the picture's, each way")
-        ->check(CLI::Range(1.0, most_scale))
+        ->check(within(1.0, most_scale))
         ->capture_default_str();
     if (stage_number(stage) >= gamma_stage) {
         app.add_flag("--split", options.split,
@@ -121,7 +163,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
                "--max-error", options.max_error,
                "choose the fastest methods and depth whose picture is off from the truth by "
                "no more than this (RMSE in linear light); what --method says stays")
-            ->check(CLI::PositiveNumber)
+            ->check(within(std::numeric_limits<double>::min(), 1e6))
             ->excludes(samples_option);
     }
     app.add_option("--kernels", options.kernels,
@@ -131,18 +173,26 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("--export-pov", options.export_pov,
                    "write the scene to FILE, for POV-Ray 3.7, and leave");
     app.add_flag("--list-devices", options.list_devices, "list the OpenCL devices, and leave");
+    app.add_flag(
+        "--verbose", options.verbose,
+        "say more: where the time went, rays that were cut off, what the kernel leaves out");
+    app.set_version_flag("--version", "Stagelight " STAGELIGHT_VERSION);
 
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {
         fmt::print("{}", app.help());
         return std::nullopt;
+    } catch (const CLI::CallForVersion &) {
+        fmt::print("{}\n", app.version());
+        return std::nullopt;
     } catch (const CLI::ParseError &error) {
         throw UserError(fmt::format("{} (--help lists the options)", error.what()));
     }
+    require_distinct_files(options);
     options.display = display_of(stage, display, options);
     options.texture_format = texture == "rgba16f" ? TextureFormat::rgba16f : TextureFormat::rgba32f;
-    if (options.split && options.out && options.out->extension() != ".png") {
+    if (options.split && options.out && is_exr(*options.out)) {
         throw UserError(fmt::format("--split --out {}: expected a .png, the eye's; EXR is linear",
                                     options.out->string()));
     }

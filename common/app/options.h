@@ -34,13 +34,14 @@ struct Options {
     std::optional<std::filesystem::path> stats;
     std::optional<std::filesystem::path> export_pov;
     bool list_devices = false;
+    bool verbose = false;
 };
 
 // out/STAGE.png, below the current folder.
 std::filesystem::path default_out(const std::string &stage);
 
-// `stage` is its folder's name: it gives the default scene and output. Prints the help and
-// returns nothing when that was asked for. Throws UserError.
+// `stage` is its folder's name: it gives the default scene and output. Prints the help, the version
+// or the methods and returns nothing when that was asked for. Throws UserError.
 std::optional<Options> parse_options(const std::string &stage, int argc, const char *const *argv);
 
 }  // namespace stagelight

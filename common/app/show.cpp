@@ -8,6 +8,7 @@
 
 #include "app/stats.h"
 #include "device/device_choice.h"
+#include "device/kernel_cache.h"
 #include "display/gl_sharing.h"
 #include "display/viewer.h"
 #include "image/image_io.h"
@@ -28,14 +29,25 @@ void require_outputs(const Options &options) {
     }
 }
 
-cl::Device device_for(const Window &window, const Options &options) {
-    return options.display == Display::shared ? device_to_share(options.device, window.api())
-                                              : choose_device(options.device);
+std::vector<cl::Device> devices_for(const Window &window, const Options &options,
+                                    const Scene &scene) {
+    const bool needs_images = !scene.textures.empty();
+    return options.display == Display::shared
+               ? devices_to_share(options.device, window.api(), needs_images)
+               : devices_to_try(options.device, needs_images);
 }
 
 WindowSettings window_of(const std::string &stage, const Options &options,
                          const RenderSettings &settings) {
+    constexpr double largest = 16384;  // each way, as X servers and drivers take it
     const auto pixels = [&](int length) {
+        if (length * options.scale > largest) {
+            throw UserError(fmt::format(
+                "--scale {}: the window would be {:.0f}x{:.0f} pixels, expected {:.0f} at most "
+                "each way",
+                options.scale, settings.width * options.scale, settings.height * options.scale,
+                largest));
+        }
         return static_cast<int>(std::lround(length * options.scale));
     };
     return {.width = pixels(settings.width),
@@ -83,8 +95,16 @@ RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const
 
 void show_in(Window &window, const std::string &stage, const Options &options, const Scene &scene,
              const RenderSettings &settings, Startup &startup) {
-    FramePipeline pipeline(device_for(window, options), window.api(), stage, scene, settings,
-                           ladder_of(options.display), options.texture_format);
+    std::optional<FramePipeline> built;
+    {
+        const DriverWatch watch;
+        first_that_builds(devices_for(window, options, scene), [&](const cl::Device &device) {
+            warn_of_width(device, settings.methods);
+            built.emplace(device, window.api(), stage, scene, settings, ladder_of(options.display),
+                          options.texture_format);
+        });
+    }
+    FramePipeline &pipeline = *built;
     startup.built(pipeline.stage_kernel());
     Viewer viewer(window, pipeline, stage, scene, view_of(stage, options));
     const ViewFigures seen = viewer.run();
@@ -95,7 +115,7 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
     if (!seen.frames.empty()) {
         startup.done("first_frame", seen.first_shown);
         report(stage, pipeline.device(), pipeline.stage_kernel(), pipeline.settings(),
-               figures_of(window, pipeline, seen, scene, startup), options.stats);
+               figures_of(window, pipeline, seen, scene, startup), options);
     }
     if (options.out) {
         fmt::print("wrote {}\n", options.out->string());

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/stage_program.h"
 
+#include <optional>
+#include <system_error>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "app/options.h"
@@ -10,6 +14,8 @@
 #include "app/stats.h"
 #include "budget/budget.h"
 #include "device/device_choice.h"
+#include "device/kernel_cache.h"
+#include "device/kernel_source.h"
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
@@ -25,9 +31,11 @@ namespace stagelight {
 namespace {
 
 void require_outputs(const std::filesystem::path &out, const Options &options) {
-    if (!options.out) {
-        std::error_code ignored;  // what is wrong with the folder is told by require_writable
-        std::filesystem::create_directories(out.parent_path(), ignored);
+    const std::filesystem::path folder = out.parent_path();
+    if (std::error_code error;
+        !options.out && !exists(folder) && !create_directories(folder, error) && error) {
+        throw UserError(fmt::format("{}: the folder {} can't be made: {}; --out names another",
+                                    out.string(), folder.string(), error.message()));
     }
     require_writable(out);
     if (options.stats) {
@@ -48,12 +56,22 @@ RenderSettings settings_of(const Options &options, const Scene &scene, int stage
 }
 
 void draw(const std::string &stage, const Options &options, const Scene &scene,
-          const RenderSettings &settings, const std::string &reason, Startup &startup) {
+          const RenderSettings &settings, const std::vector<cl::Device> &devices,
+          const std::string &reason, Startup &startup) {
     const std::filesystem::path out = options.out.value_or(default_out(stage));
-    const cl::Device device = choose_device(options.device);
     require_outputs(out, options);
 
-    Renderer renderer(device, stage, scene, settings);
+    // The user's own kernels may end the process by themselves.
+    std::optional<DriverWatch> watch;
+    if (!named_kernels(options.kernels)) {
+        watch.emplace();
+    }
+    std::optional<Renderer> built;
+    const cl::Device device = first_that_builds(devices, [&](const cl::Device &candidate) {
+        warn_of_width(candidate, settings.methods);
+        built.emplace(candidate, stage, scene, settings);
+    });
+    Renderer &renderer = *built;
     startup.built(renderer.stage_kernel());
     RunFigures figures;
     figures.display.reason = reason;
@@ -66,6 +84,7 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     for (int i = 0; i < frames; ++i) {
         frame = renderer.render();
         if (i == 0) {
+            watch.reset();
             startup.done("first_frame");
         }
         figures.frames.push_back(frame.milliseconds);
@@ -82,7 +101,7 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
     startup.done("write");
     figures.startup = startup;
-    report(stage, device, renderer.stage_kernel(), settings, figures, options.stats);
+    report(stage, device, renderer.stage_kernel(), settings, figures, options);
     fmt::print("wrote {}\n", out.string());
 }
 
@@ -103,13 +122,15 @@ int export_scene(const std::string &stage, const Scene &scene, const RenderSetti
     return exit_done;
 }
 
-// Chooses methods and depth for --max-error, and says which. Whether it is met.
+// Chooses methods and depth for --max-error, and says which. Of `devices`, the one that they were
+// measured on is left. Whether it is met.
 bool choose_by_error(const std::string &stage, const Options &options, const Scene &scene,
-                     RenderSettings &settings) {
-    const cl::Device device = choose_device(options.device);
-    const Budget budget =
-        meet_budget(device, stage, scene, settings, probe_methods(device, stage, scene, settings),
-                    *options.max_error);
+                     RenderSettings &settings, std::vector<cl::Device> &devices) {
+    Budget budget;
+    devices = {first_that_builds(devices, [&](const cl::Device &device) {
+        budget = meet_budget(device, stage, scene, settings,
+                             probe_methods(device, stage, scene, settings), *options.max_error);
+    })};
     fmt::print("for --max-error {}: {}\npredicted error {:.2g}, measured {:.2g}\n",
                *options.max_error, to_string(budget.plan, settings.max_depth), budget.plan.error,
                budget.error);
@@ -129,17 +150,21 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {
-        fmt::print(stderr, "warning: {}\n", line);
+        warn(line);
     }
     RenderSettings settings = settings_of(options, scene, stage_number(stage));
     if (options.export_pov) {
         return export_scene(stage, scene, settings, *options.export_pov);
     }
     startup.done("scene");
+    const bool needs_images = !scene.textures.empty();
     int code = exit_done;
+    std::vector<cl::Device> devices;
     if (options.max_error) {
         require_outputs(options.out.value_or(default_out(stage)), options);  // before the wait
-        code = choose_by_error(stage, options, scene, settings) ? exit_done : exit_check_failed;
+        devices = devices_to_try(options.device, needs_images);
+        code = choose_by_error(stage, options, scene, settings, devices) ? exit_done
+                                                                         : exit_check_failed;
         startup.skip();
     }
     std::string reason = "no window was asked for";
@@ -152,7 +177,10 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
         fmt::print("display: none: {}\n", reason);
         startup.done("window");
     }
-    draw(stage, options, scene, settings, reason, startup);
+    if (devices.empty()) {
+        devices = devices_to_try(options.device, needs_images);
+    }
+    draw(stage, options, scene, settings, devices, reason, startup);
     return code;
 }
 

@@ -106,12 +106,33 @@ ordered_json display_json(const DisplayFigures &display) {
     return json;
 }
 
+void report_details(const std::string &stage, const StageKernel &kernel,
+                    const RenderSettings &settings, const RunFigures &figures) {
+    fmt::print("kernel built in {:.0f} ms; from start to picture: {}\n",
+               kernel.milliseconds().kernel, to_string(figures.startup));
+    if (figures.rays.dropped > 0) {
+        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
+                   settings.max_depth);
+    }
+    if (figures.rays.faded > 0) {
+        fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
+                   "{:.2g}\n",
+                   figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
+    }
+    std::string left;
+    for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
+        left += (left.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
+    }
+    if (!left.empty()) {
+        fmt::print("{}\n", left);
+    }
+}
+
 }  // namespace
 
 ordered_json device_json(const cl::Device &device) {
-    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
     return {{"name", device.getInfo<CL_DEVICE_NAME>()},
-            {"platform", platform.getInfo<CL_PLATFORM_NAME>()},
+            {"platform", platform_of(device).getInfo<CL_PLATFORM_NAME>()},
             {"version", device.getInfo<CL_DEVICE_VERSION>()},
             {"driver", device.getInfo<CL_DRIVER_VERSION>()},
             {"compute_units", device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>()}};
@@ -180,33 +201,20 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
 }
 
 void report(const std::string &stage, const cl::Device &device, const StageKernel &kernel,
-            const RenderSettings &settings, const RunFigures &figures,
-            const std::optional<std::filesystem::path> &file) {
-    if (file) {
+            const RenderSettings &settings, const RunFigures &figures, const Options &options) {
+    if (options.stats) {
         const std::string json = stats_json(stage, device, kernel, settings, figures);
-        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *file);
+        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *options.stats);
     }
     const double milliseconds = median(figures.frames);
     fmt::print("{}\n", device.getInfo<CL_DEVICE_NAME>());
-    fmt::print("{}x{}: {:.1f} ms, {:.2f} million rays/s (kernel built in {:.0f} ms)\n",
-               settings.width, settings.height, milliseconds, figures.rays.rate(milliseconds),
-               kernel.milliseconds().kernel);
-    fmt::print("from start to picture: {}\n", to_string(figures.startup));
-    if (figures.rays.dropped > 0) {
-        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
-                   settings.max_depth);
-    }
-    if (figures.rays.faded > 0) {
-        fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
-                   "{:.2g}\n",
-                   figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
-    }
-    std::string left;
-    for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
-        left += (left.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
-    }
-    if (!left.empty()) {
-        fmt::print("{}\n", left);
+    fmt::print(
+        "{}x{}, {} sample{} a pixel: {:.1f} ms, {:.2f} million rays, {:.1f} million a second\n",
+        settings.width, settings.height, settings.samples, settings.samples == 1 ? "" : "s",
+        milliseconds, static_cast<double>(figures.rays.traced()) / 1e6,
+        figures.rays.rate(milliseconds));
+    if (options.verbose) {
+        report_details(stage, kernel, settings, figures);
     }
 }
 

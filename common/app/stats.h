@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/options.h"
 #include "app/startup.h"
 #include "device/stage_kernel.h"
 #include "display/viewer.h"
@@ -54,10 +53,10 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
                        const StageKernel &kernel, const RenderSettings &settings,
                        const RunFigures &figures);
 
-// Says on stdout what the run has cost, and writes the stats to `file` if there is one.
+// Says on stdout which device has drawn and what that cost, and with --verbose where the time went,
+// what was cut off and what the kernel leaves out; writes the stats if --stats names a file.
 void report(const std::string &stage, const cl::Device &device, const StageKernel &kernel,
-            const RenderSettings &settings, const RunFigures &figures,
-            const std::optional<std::filesystem::path> &file);
+            const RenderSettings &settings, const RunFigures &figures, const Options &options);
 
 // Of the time in which frames were presented, the share in which the next was being rendered.
 double overlap_of(const std::vector<FrameTimes> &frames);

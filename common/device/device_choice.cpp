@@ -3,15 +3,19 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 
 #include <sched.h>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "device/kernel_cache.h"
 #include "scene/errors.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 namespace {
@@ -37,6 +41,17 @@ std::optional<cl::Device> first_of_type(const std::vector<cl::Device> &devices,
     return found == devices.end() ? std::nullopt : std::optional(*found);
 }
 
+std::string name_of(const cl::Device &device) {
+    return device.getInfo<CL_DEVICE_NAME>();
+}
+
+// "NAME (PLATFORM, VERSION)"
+std::string description_of(const cl::Device &device) {
+    return fmt::format("{} ({}, {})", name_of(device),
+                       platform_of(device).getInfo<CL_PLATFORM_NAME>(),
+                       device.getInfo<CL_DEVICE_VERSION>());
+}
+
 std::optional<cl::Device> find_device(const std::vector<cl::Device> &devices,
                                       const std::string &spec) {
     if (is_index(spec)) {
@@ -50,9 +65,34 @@ std::optional<cl::Device> find_device(const std::vector<cl::Device> &devices,
         return first_of_type(devices, CL_DEVICE_TYPE_GPU);
     }
     const auto found = std::ranges::find_if(devices, [&spec](const cl::Device &device) {
-        return lower(device.getInfo<CL_DEVICE_NAME>()).find(lower(spec)) != std::string::npos;
+        return lower(description_of(device)).find(lower(spec)) != std::string::npos;
     });
     return found == devices.end() ? std::nullopt : std::optional(*found);
+}
+
+// Major and minor, of "OpenCL 1.2 …" or "OpenCL C 1.2 …".
+std::pair<int, int> version_in(const std::string &text) {
+    std::pair<int, int> version;
+    const std::size_t digit = text.find_first_of("0123456789");
+    if (digit == std::string::npos
+        || std::sscanf(text.c_str() + digit, "%d.%d", &version.first, &version.second) != 2) {
+        return {};
+    }
+    return version;
+}
+
+// Why kernels can't run on the device, or "". Some devices are newer than their compiler.
+std::string lack_of(const cl::Device &device, bool needs_images) {
+    for (const std::string &version :
+         {device.getInfo<CL_DEVICE_VERSION>(), device.getInfo<CL_DEVICE_OPENCL_C_VERSION>()}) {
+        if (version_in(version) < std::pair(1, 2)) {
+            return fmt::format("has {}, expected 1.2 or newer", version);
+        }
+    }
+    if (needs_images && device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_FALSE) {
+        return "has no images, which textures need";
+    }
+    return "";
 }
 
 // A platform may have none, and says so by an error.
@@ -69,12 +109,15 @@ std::vector<cl::Device> devices_of(const cl::Platform &platform) {
 }
 
 // PoCL's threads, each on a core of its own: otherwise the scheduler now and then wakes two on one
-// core, and a short frame takes twice as long. Not where we are kept to some cores: PoCL would use
-// others too.
-void keep_threads_apart() {
+// core, and a short frame takes twice as long. Not where we are kept to some cores, since PoCL
+// would use others too, nor where somebody says how many threads there are: PoCL aborts when a
+// thread finds no core.
+void pin_threads() {
     cpu_set_t allowed;
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0
-        && CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_ONLN)) {
+        && CPU_COUNT(&allowed) == sysconf(_SC_NPROCESSORS_ONLN)
+        && std::getenv("POCL_MAX_PTHREAD_COUNT") == nullptr
+        && std::getenv("POCL_CPU_MAX_CU_COUNT") == nullptr) {
         setenv("POCL_AFFINITY", "1", 0);
     }
 }
@@ -82,7 +125,8 @@ void keep_threads_apart() {
 }  // namespace
 
 std::vector<cl::Device> all_devices() {
-    keep_threads_apart();
+    prepare_kernel_cache();
+    pin_threads();
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);
@@ -105,6 +149,10 @@ bool has_extension(const cl::Device &device, const char *extension) {
     return all.find(' ' + std::string(extension) + ' ') != std::string::npos;
 }
 
+bool is_gpu(const cl::Device &device) {
+    return (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU) != 0;
+}
+
 std::string list_devices() {
     const std::vector<cl::Device> devices = all_devices();
     if (devices.empty()) {
@@ -112,10 +160,7 @@ std::string list_devices() {
     }
     std::string list;
     for (std::size_t i = 0; i < devices.size(); ++i) {
-        const cl::Platform platform(devices[i].getInfo<CL_DEVICE_PLATFORM>());
-        list += fmt::format("{}: {} ({}, {})\n", i, devices[i].getInfo<CL_DEVICE_NAME>(),
-                            platform.getInfo<CL_PLATFORM_NAME>(),
-                            devices[i].getInfo<CL_DEVICE_VERSION>());
+        list += fmt::format("{}: {}\n", i, description_of(devices[i]));
     }
     return list;
 }
@@ -125,21 +170,59 @@ std::string named_device(const std::string &spec) {
     return spec.empty() && from_environment != nullptr ? from_environment : spec;
 }
 
-cl::Device choose_device(const std::string &spec) {
-    const std::vector<cl::Device> devices = all_devices();
+std::vector<cl::Device> devices_to_try(const std::string &spec, bool needs_images) {
+    std::vector<cl::Device> devices = all_devices();
     if (devices.empty()) {
         throw MachineError(no_device_remedy);
     }
     const std::string wanted = named_device(spec);
-    if (wanted.empty()) {
-        return first_of_type(devices, CL_DEVICE_TYPE_GPU).value_or(devices.front());
+    if (!wanted.empty()) {
+        const std::optional<cl::Device> device = find_device(devices, wanted);
+        if (!device) {
+            throw MachineError(
+                fmt::format("no OpenCL device '{}'; there are:\n{}", wanted, list_devices()));
+        }
+        if (const std::string lack = lack_of(*device, needs_images); !lack.empty()) {
+            throw MachineError(fmt::format("{} {}; choose another --device (--list-devices)",
+                                           name_of(*device), lack));
+        }
+        return {*device};
     }
-    const std::optional<cl::Device> device = find_device(devices, wanted);
-    if (!device) {
-        throw MachineError(
-            fmt::format("no OpenCL device '{}'; there are:\n{}", wanted, list_devices()));
+    std::erase_if(devices, [needs_images](const cl::Device &device) {
+        const std::string lack = lack_of(device, needs_images);
+        if (!lack.empty()) {
+            warn(fmt::format("{} {}: passed over", name_of(device), lack));
+        }
+        return !lack.empty();
+    });
+    if (devices.empty()) {
+        throw MachineError(no_device_remedy);
     }
-    return *device;
+    std::ranges::stable_partition(devices, is_gpu);
+    return devices;
+}
+
+cl::Device choose_device(const std::string &spec) {
+    return devices_to_try(spec).front();
+}
+
+cl::Device first_that_builds(const std::vector<cl::Device> &devices,
+                             const std::function<void(const cl::Device &)> &build) {
+    for (auto device = devices.begin(); device + 1 != devices.end(); ++device) {
+        const auto give_way = [&](const std::string &reason) {
+            warn(fmt::format("{}: {}; trying {}", name_of(*device), reason, name_of(device[1])));
+        };
+        try {
+            build(*device);
+            return *device;
+        } catch (const DeviceError &error) {
+            give_way(error.reason());
+        } catch (const cl::Error &error) {
+            give_way(fmt::format("{} failed with error {}", error.what(), error.err()));
+        }
+    }
+    build(devices.back());
+    return devices.back();
 }
 
 }  // namespace stagelight

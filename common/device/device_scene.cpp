@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <initializer_list>
 #include <vector>
 
 #include <fmt/format.h>
@@ -169,19 +170,62 @@ void require_room(const cl::Device &device, const std::string &name, std::size_t
 
 }  // namespace
 
-std::vector<std::string> argument_names(const cl::Kernel &kernel) {
+std::vector<std::string> argument_order(const SceneNeeds &needs, const Methods &methods,
+                                        int stage) {
+    const auto has = [&needs](const char *name) {
+        return std::ranges::find(needs, name, &SceneNeeds::value_type::first) != needs.end();
+    };
+    std::vector<std::string> order{"image"};
+    const auto add = [&order](bool is_there, std::initializer_list<const char *> names) {
+        if (is_there) {
+            order.insert(order.end(), names.begin(), names.end());
+        }
+    };
+    const bool meshes = has("TRIANGLE_COUNT");
+    const bool tree = has("BVH_WIDTH");
+    add(stage > 1, {"ray_counts"});
+    add(true, {"camera", "background"});
+    add(has("SPHERE_COUNT"), {"spheres"});
+    add(has("PLANE_COUNT"), {"planes"});
+    add(has("MATERIAL_COUNT"), {"materials"});
+    add(has("LIGHT_COUNT"), {"lights"});
+    add(meshes, {"triangles", "vertex_normals"});
+    add(tree, {"facets", "bvh_nodes"});
+    add(tree && choice(methods, "triangle") == "baldwin_weber", {"facet_maps"});
+    add(meshes && !tree, {"vertex_positions"});
+    add(has("HAS_MESH_TEXTURES"), {"vertex_texture_coordinates"});
+    add(has("HAS_TEXTURES"), {"textures"});
+    return order;
+}
+
+std::vector<std::string> argument_names(const cl::Kernel &kernel,
+                                        const std::vector<std::string> &order) {
+    const auto count = kernel.getInfo<CL_KERNEL_NUM_ARGS>();
     std::vector<std::string> names;
-    for (cl_uint i = 0; i < kernel.getInfo<CL_KERNEL_NUM_ARGS>(); ++i) {
-        std::string name = kernel.getArgInfo<CL_KERNEL_ARG_NAME>(i);
-        name.erase(std::ranges::find(name, '\0'), name.end());  // some drivers count the terminator
-        names.push_back(name);
+    try {
+        for (cl_uint i = 0; i < count; ++i) {
+            std::string name = kernel.getArgInfo<CL_KERNEL_ARG_NAME>(i);
+            name.erase(std::ranges::find(name, '\0'), name.end());  // some count the terminator
+            names.push_back(name);
+        }
+        return names;
+    } catch (const cl::Error &error) {
+        if (error.err() != CL_KERNEL_ARG_INFO_NOT_AVAILABLE) {
+            throw;
+        }
     }
-    return names;
+    if (order.size() != count) {
+        throw DeviceError(
+            fmt::format("the driver does not name the kernel's {} arguments, expected "
+                        "{}; try another --device (--list-devices)",
+                        count, order.size()));
+    }
+    return order;
 }
 
 DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                         const Scene &scene, Transfer decode, const Bvh &bvh) {
-    const std::vector<std::string> names = argument_names(kernel);
+                         const std::vector<std::string> &names, const Scene &scene, Transfer decode,
+                         const Bvh &bvh) {
     for (cl_uint i = 0; i < names.size(); ++i) {
         const std::string &name = names[i];
         if (name == "background") {

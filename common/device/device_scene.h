@@ -6,9 +6,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "device/bvh.h"
+#include "device/methods.h"
 #include "device/opencl.h"
+#include "device/scene_needs.h"
 #include "device/texture_array.h"
 #include "scene/scene.h"
 
@@ -16,11 +19,12 @@ namespace stagelight {
 
 class DeviceScene {
 public:
-    // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl), by its name.
-    // Texels are decoded by `decode`; triangles lie in the order of `bvh` if it has any. Throws as
-    // TextureArray does.
+    // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl); `names` are
+    // those of its arguments, in order. Texels are decoded by `decode`; triangles lie in the order
+    // of `bvh` if it has any. Throws as TextureArray does.
     DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
-                const Scene &scene, Transfer decode = Transfer::none, const Bvh &bvh = {});
+                const std::vector<std::string> &names, const Scene &scene,
+                Transfer decode = Transfer::none, const Bvh &bvh = {});
 
     // Whether that argument of the kernel is part of the scene, and was set.
     bool has_set(const std::string &name) const {
@@ -37,7 +41,12 @@ private:
     std::map<std::string, std::size_t> bytes_;
 };
 
-// The names of a kernel's arguments, in order (it was built with -cl-kernel-arg-info).
-std::vector<std::string> argument_names(const cl::Kernel &kernel);
+// The arguments of `stage`'s kernel for such needs, as the kernels declare them.
+std::vector<std::string> argument_order(const SceneNeeds &needs, const Methods &methods, int stage);
+
+// The names of a kernel's arguments, in order (it was built with -cl-kernel-arg-info). Of a driver
+// that keeps no names, `order`; throws DeviceError where the kernel has more arguments or fewer.
+std::vector<std::string> argument_names(const cl::Kernel &kernel,
+                                        const std::vector<std::string> &order = {});
 
 }  // namespace stagelight

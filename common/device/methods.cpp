@@ -66,7 +66,9 @@ const std::vector<Method> &all_methods() {
         {"encode", "2.2", gamma_stage, "", "the paper, section 8: light to 1 / 2.2"},
         {"normalise", "exact", 1, "", "by 1 / sqrt"},
         {"normalise", "native", 1, "-D METHOD_NORMALISE=native", "by the device's native_rsqrt"},
-        {"math", "strict", 1, "", "every operation rounded as IEEE 754 has it"},
+        {"math", "strict", 1, "",
+         "every operation rounded as IEEE 754 has it; division and square root within 3 ulp where "
+         "the device lacks CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT"},
         {"math", "mad", 1, "-D METHOD_MATH_MAD=1 -cl-mad-enable",
          "-cl-mad-enable: products and sums may be contracted"},
         {"math", "relaxed", 1, "-D METHOD_MATH_MAD=1 -cl-fast-relaxed-math",

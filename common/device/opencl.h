@@ -6,3 +6,12 @@
 #define CL_HPP_TARGET_OPENCL_VERSION 120
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #include <CL/opencl.hpp>
+
+namespace stagelight {
+
+// Newer headers hand out a cl::Platform, older ones its handle.
+inline cl::Platform platform_of(const cl::Device &device) {
+    return cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>());
+}
+
+}  // namespace stagelight

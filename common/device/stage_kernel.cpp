@@ -7,6 +7,7 @@
 
 #include "device/device_choice.h"
 #include "device/device_types.h"
+#include "device/kernel_cache.h"
 #include "device/kernel_source.h"
 #include "device/memory_need.h"
 #include "image/split.h"
@@ -42,14 +43,20 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     const cl_uint preferred = is_double(settings.methods)
                                   ? device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_DOUBLE>()
                                   : device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
-    const bool is_gpu = device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_GPU;
-    return is_gpu || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
+    return is_gpu(device) || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
 }
 
 BvhLayout layout_of(const Methods &methods) {
     return {.width = std::stoi(choice(methods, "nodes")),
             .has_room = choice(methods, "box") == "robust",
             .is_half = choice(methods, "storage") == "half"};
+}
+
+// ": " and the first line of what a compiler said, which `log` has after ":\n".
+std::string first_line_of(const std::string &log) {
+    const std::size_t begin = log.find_first_not_of(":\n ");
+    return begin == std::string::npos ? ""
+                                      : ": " + log.substr(begin, log.find('\n', begin) - begin);
 }
 
 // Milliseconds of an action, which a terminal is told of where they are many.
@@ -60,15 +67,34 @@ double timed(const char *what, const auto &action) {
     return now_milliseconds() - start;
 }
 
-cl::Kernel render_kernel(const cl::Program &program) {
+cl::Kernel render_kernel(const cl::Program &program, bool from_disk) {
     try {
         return {program, "render"};
     } catch (const cl::Error &error) {
-        if (error.err() == CL_INVALID_KERNEL_NAME) {
+        if (error.err() == CL_INVALID_KERNEL_NAME && from_disk) {
             throw KernelError("there is no kernel 'render' in the stage's kernel.cl");
+        }
+        if (error.err() == CL_INVALID_KERNEL_NAME) {
+            start_again_if_watched();
+            throw DeviceError("the driver finds no kernel 'render' in what it has compiled; try "
+                              "another POCL_CACHE_DIR, or another --device (--list-devices)");
         }
         throw;
     }
+}
+
+// As near a square as the device takes, at most `wanted` work-items each way.
+std::pair<std::size_t, std::size_t> group_of(const cl::Device &device, const cl::Kernel &kernel,
+                                             std::size_t wanted) {
+    const std::size_t most = kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device);
+    const std::vector<std::size_t> sides = device.getInfo<CL_DEVICE_MAX_WORK_ITEM_SIZES>();
+    std::size_t width = std::min(wanted, sides.at(0));
+    std::size_t height = std::min(wanted, sides.at(1));
+    while (width * height > most) {
+        std::size_t &longer = height >= width ? height : width;
+        longer /= 2;
+    }
+    return {width, height};
 }
 
 }  // namespace
@@ -103,9 +129,10 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods) {
     std::string options = language + " -cl-kernel-arg-info";
     if (is_double(methods) && !has_extension(device, "cl_khr_fp64")) {
-        throw MachineError(fmt::format("--method math=fp64: {} has no cl_khr_fp64; choose another "
-                                       "device (--list-devices), or math=strict",
-                                       device.getInfo<CL_DEVICE_NAME>()));
+        throw DeviceError(fmt::format("--method math=fp64: {} has no cl_khr_fp64; choose another "
+                                      "device (--list-devices), or math=strict",
+                                      device.getInfo<CL_DEVICE_NAME>()),
+                          "it has no cl_khr_fp64, which math=fp64 needs");
     }
     const cl_device_fp_config config = is_double(methods)
                                            ? device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>()
@@ -113,10 +140,22 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
     if (config & CL_FP_FMA) {
         options += " -D HAS_FMA=1";
     }
+    if (config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT && !is_double(methods)) {
+        options += " -cl-fp32-correctly-rounded-divide-sqrt -D HAS_EXACT_DIVISION=1";
+    }
     for (const auto &[name, value] : needs) {
         options += fmt::format(" -D {}={}", name, value);
     }
     return options + options_of(methods);
+}
+
+void warn_of_width(const cl::Device &device, const Methods &methods) {
+    const std::string width = choice(methods, "width");
+    if (is_gpu(device) && width != "device" && width != "1") {
+        warn(fmt::format("--method width={}: {} is a GPU, whose work-items are as many rays side "
+                         "by side already; width=1 is faster there",
+                         width, device.getInfo<CL_DEVICE_NAME>()));
+    }
 }
 
 // #region build_program
@@ -133,8 +172,8 @@ cl::Program build_program(const cl::Context &context, const std::string &source,
         if (from_disk) {
             throw KernelError("the kernel does not build" + log);
         }
-        throw MachineError("the kernel does not build; try another --device (--list-devices)"
-                           + log);
+        throw DeviceError("the kernel does not build; try another --device (--list-devices)" + log,
+                          "the kernel does not build" + first_line_of(log));
     }
     return program;
 }
@@ -181,34 +220,38 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
     milliseconds_.kernel = timed("building the kernel", [&] {
-        kernel_ = render_kernel(
-            build_program(context, source, options_, named_kernels(settings.kernels).has_value()));
+        const bool from_disk = named_kernels(settings.kernels).has_value();
+        kernel_ = render_kernel(build_program(context, source, options_, from_disk), from_disk);
         if (samples_ > 1) {
             mean_.emplace(context, language + writes, settings.kernels);
         }
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
-        scene_.emplace(context, device, kernel_, scene, decode, bvh);
+        names_ =
+            argument_names(kernel_, argument_order(needs_, settings.methods, stage_number(stage)));
+        scene_.emplace(context, device, kernel_, names_, scene, decode, bvh);
         if (settings.split && scene_->textures()) {
             plain_textures_.emplace(context, device, scene, Transfer::none);
         }
     });
+    const auto [width, height] = group_of(device, kernel_, width_ == 1 ? 8 : 2);
+    group_width_ = width;
+    group_height_ = height;
     learn_arguments();
     make_room_for_ray_counts(settings.height);
 }
 
 // A kernel of the user's own may lack one, or have one that nobody fills.
 void StageKernel::learn_arguments() {
-    const std::vector<std::string> names = argument_names(kernel_);
-    for (cl_uint i = 0; i < names.size(); ++i) {
-        arguments_[names[i]] = i;
+    for (cl_uint i = 0; i < names_.size(); ++i) {
+        arguments_[names_[i]] = i;
     }
     for (const char *name : {"image", "camera"}) {
         if (!arguments_.contains(name)) {
             throw KernelError(fmt::format("the kernel 'render' has no argument '{}'", name));
         }
     }
-    for (const std::string &name : names) {
+    for (const std::string &name : names_) {
         const bool ours = name == "image" || name == "camera" || name == "ray_counts";
         if (!ours && !scene_->has_set(name)) {
             throw KernelError(fmt::format(
@@ -273,12 +316,11 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
         const int tile_width = TILE_WIDTH_OF(width_);
         const int tile_height = width_ / tile_width;
         const int tiles = PACKETS_IN_ROW_OF(width_);  // and as many below each other
-        const std::size_t group =
-            width_ == 1 ? 8 : 2;  // few blocks, so that no core runs out early
-        queue.enqueueNDRangeKernel(kernel_, cl::NullRange,
-                                   cl::NDRange(work_items(width, tiles * tile_width, group),
-                                               work_items(height, tiles * tile_height, group)),
-                                   cl::NDRange(group, group));
+        queue.enqueueNDRangeKernel(
+            kernel_, cl::NullRange,
+            cl::NDRange(work_items(width, tiles * tile_width, group_width_),
+                        work_items(height, tiles * tile_height, group_height_)),
+            cl::NDRange(group_width_, group_height_));
         // #endregion launch
     }
 }

@@ -59,12 +59,15 @@ struct BuildTimes {
 };
 
 // -cl-std and the names that kernels/ are built with for a scene, its methods and what the device
-// has. Throws MachineError for a method that the device lacks.
+// has. Throws DeviceError for a method that the device lacks.
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods);
 
+// Warns where the chosen width is one that a device of this kind is slow with.
+void warn_of_width(const cl::Device &device, const Methods &methods);
+
 // Builds `source`. Where it does not build, throws the log: as a KernelError if it was read
-// `from_disk` (the user's own work), else as a MachineError.
+// `from_disk` (the user's own work), else as a DeviceError.
 cl::Program build_program(const cl::Context &context, const std::string &source,
                           const std::string &options, bool from_disk = false);
 
@@ -107,10 +110,14 @@ private:
     std::string options_;
     cl::Kernel kernel_;
     std::optional<DeviceScene> scene_;
+    std::vector<std::string> names_;  // of the kernel's arguments, in order
     std::map<std::string, cl_uint> arguments_;
     std::optional<TextureArray> plain_textures_;  // not decoded, for the right half of a split
     std::optional<cl::Buffer> ray_counts_;
     int width_ = 1;  // pixels of a work-item
+    // Work-items of a group: few where each draws many pixels, so that no core runs out early.
+    std::size_t group_width_ = 1;
+    std::size_t group_height_ = 1;
     int samples_;
     bool is_double_;
     std::optional<SampleMean> mean_;  // of more than one sample

@@ -115,8 +115,8 @@ std::size_t texture_bytes(const Scene &scene, Transfer decode) {
 TextureArray::TextureArray(const cl::Context &context, const cl::Device &device, const Scene &scene,
                            Transfer decode) {
     if (device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_FALSE) {
-        throw MachineError(device.getInfo<CL_DEVICE_NAME>()
-                           + " has no images, which textures need; choose another --device");
+        throw DeviceError(device.getInfo<CL_DEVICE_NAME>()
+                          + " has no images, which textures need; choose another --device");
     }
     for (const Texture &texture : scene.textures) {
         require_size(texture, device.getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>(),

@@ -37,10 +37,6 @@ Properties properties_of(const cl::Platform &platform, ContextApi api) {
 }
 // #endregion properties_of
 
-cl::Platform platform_of(const cl::Device &device) {
-    return cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>());
-}
-
 std::vector<cl::Device> ask(clGetGLContextInfoKHR_fn get_info, const Properties &properties,
                             cl_gl_context_info what) {
     std::vector<cl_device_id> ids(all_devices().size());
@@ -100,10 +96,14 @@ std::optional<cl::Device> device_of_gl_context(ContextApi api) {
     return std::nullopt;
 }
 
-cl::Device device_to_share(const std::string &spec, ContextApi api) {
-    const std::optional<cl::Device> sharing =
-        named_device(spec).empty() ? device_of_gl_context(api) : std::nullopt;
-    return sharing ? *sharing : choose_device(spec);
+std::vector<cl::Device> devices_to_share(const std::string &spec, ContextApi api,
+                                         bool needs_images) {
+    std::vector<cl::Device> devices = devices_to_try(spec, needs_images);
+    if (const std::optional<cl::Device> sharing = device_of_gl_context(api)) {
+        std::ranges::stable_partition(
+            devices, [&](const cl::Device &device) { return device() == (*sharing)(); });
+    }
+    return devices;
 }
 
 cl::Context shared_context(const cl::Device &device, ContextApi api) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "device/opencl.h"
 #include "display/window.h"
@@ -13,9 +14,9 @@ namespace stagelight {
 // The first device, of all platforms, that drives the current OpenGL context and can share with it.
 std::optional<cl::Device> device_of_gl_context(ContextApi api);
 
-// The device that is named (named_device), else the one of device_of_gl_context, else the one that
-// choose_device takes. Throws as that.
-cl::Device device_to_share(const std::string &spec, ContextApi api);
+// devices_to_try, the one of device_of_gl_context first where it is among them. Throws as that.
+std::vector<cl::Device> devices_to_share(const std::string &spec, ContextApi api,
+                                         bool needs_images = false);
 
 // A context of `device` that shares with the current OpenGL context, whose API is `api`. Throws
 // RungLost with the reason when there can be none.

@@ -56,6 +56,10 @@ std::vector<std::uint8_t> bytes_of(const Image &image, Transfer curve, bool spli
 
 }  // namespace
 
+bool is_exr(const std::filesystem::path &file) {
+    return extension_of(file) == ".exr";
+}
+
 void require_writable(const std::filesystem::path &file) {
     require_picture_name(file);
     require_writable_place(file);
@@ -65,9 +69,9 @@ void write_image(const Image &image, const std::filesystem::path &file, Transfer
                  bool split) {
     require_picture_name(file);
     const Progress progress("writing " + file.filename().string());
-    write_whole(extension_of(file) == ".png"
-                    ? encode_png(bytes_of(image, encode, split), image.width, image.height, encode)
-                    : encode_exr(image),
+    write_whole(is_exr(file)
+                    ? encode_exr(image)
+                    : encode_png(bytes_of(image, encode, split), image.width, image.height, encode),
                 file);
 }
 

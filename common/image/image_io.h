@@ -9,6 +9,9 @@
 
 namespace stagelight {
 
+// By its name's end, in letters of either case.
+bool is_exr(const std::filesystem::path &file);
+
 // Throws UserError unless `file` ends in .png or .exr and its folder exists and can be
 // written to: asked before anything is rendered.
 void require_writable(const std::filesystem::path &file);

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace stagelight {
 
@@ -34,6 +35,19 @@ public:
 class MachineError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
+};
+
+// One device can't draw this, and another may. The message names the remedy; `reason` is the first
+// line of what is wrong.
+class DeviceError : public MachineError {
+public:
+    DeviceError(const std::string &message, std::string reason)
+        : MachineError(message), reason_(std::move(reason)) {}
+    explicit DeviceError(const std::string &message) : DeviceError(message, message) {}
+    const std::string &reason() const { return reason_; }
+
+private:
+    std::string reason_;
 };
 
 }  // namespace stagelight

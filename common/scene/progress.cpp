@@ -61,6 +61,12 @@ void say(const std::string &line) {
     std::fflush(stdout);
 }
 
+void warn(const std::string &line) {
+    const std::lock_guard lock(terminal);
+    clear();
+    fmt::print(stderr, "warning: {}\n", line);
+}
+
 void Progress::keep_drawing(const std::stop_token &stop) {
     const auto never = [] { return false; };
     std::unique_lock lock(terminal);

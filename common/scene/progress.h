@@ -41,5 +41,7 @@ private:
 
 // Prints a line on stdout, at once, which the bar on the terminal makes way for.
 void say(const std::string &line);
+// The same on stderr, after "warning: ".
+void warn(const std::string &line);
 
 }  // namespace stagelight

@@ -48,7 +48,7 @@ WindowSettings window_of(const Work &work) {
 }
 
 cl::Device device_for(const Window &window) {
-    return device_to_share("", window.api());
+    return devices_to_share("", window.api()).front();
 }
 
 // The first frame waits for what the drivers put off until they are used.

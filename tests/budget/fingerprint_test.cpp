@@ -15,7 +15,7 @@ struct Asked {
     Scene scene;
     RenderSettings settings;
     std::string stage = "10_full_tracer";
-    std::string device = "pthread";
+    std::string device = "pocl";
 };
 
 Asked something() {

@@ -52,6 +52,25 @@ TEST_F(Stage01Output, SaysWhatIsWrongWithTheDefaultFolder) {
     expect_refused({}, "out/01_primitives.png: out is not a folder");
 }
 
+TEST_F(Stage01Output, SaysWhyTheDefaultFolderCantBeMade) {
+    expect_one_line(
+        run("01_primitives", Start{{},
+                                   {"LD_PRELOAD=" STAGELIGHT_FAULTS, "STAGELIGHT_FAULT=mkdir:out",
+                                    "ASAN_OPTIONS=verify_asan_link_order=0"}}),
+        users_mistake, "out/01_primitives.png: the folder out can't be made: Permission denied");
+    EXPECT_EQ(files(), Files{});
+}
+
+// However the name is written: the second would take the place of the first.
+TEST_F(Stage01Output, WantsAnotherFileForEach) {
+    expect_refused({"--out", "a.png", "--stats", "./a.png"},
+                   "--stats ./a.png: --out is the same file, expected another");
+    const fs::path scene = folder.write("scene.toml", "");
+    expect_refused({"scene.toml", "--stats", scene}, "the scene is the same file");
+    expect_refused({"scene.toml", "--export-pov", "scene.toml"}, "the scene is the same file");
+    expect_refused({"--stats", "b", "--export-pov", "b"}, "--stats is the same file");
+}
+
 // No file may grow beyond 1 MiB, as on a disk with no more room: this EXR does, and what PoCL
 // writes for itself does not.
 TEST_F(Stage01Output, KeepsTheOldPictureWhenTheDiskIsFull) {

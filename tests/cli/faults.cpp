@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Preloaded, makes a call fail: STAGELIGHT_FAULT is its name, and for those that take a file
 // ":" and a part of that file's path. Of OpenCL's, STAGELIGHT_FAULT_AFTER as many succeed first.
+// STAGELIGHT_ODD_DEVICE is WHAT:NAME: the devices with such a part in their name are GPUs, and have
+// WHAT is asked for below.
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CL/cl.h>
 #include <dlfcn.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 namespace {
@@ -43,6 +50,44 @@ template <typename Function> Function *real(Function *, const char *name) {
     return reinterpret_cast<Function *>(dlsym(RTLD_NEXT, name));
 }
 #define REAL(name) real(&name, #name)
+
+// Whether the device is odd, and in that way; in any where `what` is empty.
+bool is_odd(cl_device_id device, std::string_view what) {
+    const char *odd = std::getenv("STAGELIGHT_ODD_DEVICE");
+    if (odd == nullptr) {
+        return false;
+    }
+    const std::string_view text = odd;
+    const std::size_t colon = text.find(':');
+    char name[256] = "";
+    REAL(clGetDeviceInfo)(device, CL_DEVICE_NAME, sizeof name - 1, name, nullptr);
+    return (what.empty() || text.substr(0, colon) == what)
+           && std::string_view(name).find(text.substr(colon + 1)) != std::string_view::npos;
+}
+
+bool is_odd(cl_program program, std::string_view what) {
+    std::vector<cl_device_id> devices(16);
+    std::size_t size = 0;
+    clGetProgramInfo(program, CL_PROGRAM_DEVICES, devices.size() * sizeof devices[0],
+                     devices.data(), &size);
+    devices.resize(size / sizeof devices[0]);
+    return std::ranges::any_of(devices, [what](cl_device_id d) { return is_odd(d, what); });
+}
+
+cl_int answer(const void *bytes, std::size_t length, std::size_t size, void *value,
+              std::size_t *size_returned) {
+    if (value != nullptr) {
+        std::memcpy(value, bytes, std::min(length, size));
+    }
+    if (size_returned != nullptr) {
+        *size_returned = length;
+    }
+    return CL_SUCCESS;
+}
+
+cl_int answer(std::string_view text, std::size_t size, void *value, std::size_t *size_returned) {
+    return answer(text.data(), text.size() + 1, size, value, size_returned);
+}
 
 }  // namespace
 
@@ -84,10 +129,68 @@ int fsync(int descriptor) {
     return REAL(fsync)(descriptor);
 }
 
+// The disk is full.
+int statvfs(const char *path, struct statvfs *disk) noexcept {
+    const int code = REAL(statvfs)(path, disk);
+    if (is_to_fail("statvfs")) {
+        disk->f_bavail = 0;
+    }
+    return code;
+}
+
+int mkdir(const char *path, mode_t mode) noexcept {
+    if (is_to_fail(("mkdir:" + std::string(path)).c_str())) {
+        errno = EACCES;
+        return -1;
+    }
+    return REAL(mkdir)(path, mode);
+}
+
+cl_int clGetDeviceInfo(cl_device_id device, cl_device_info what, std::size_t size, void *value,
+                       std::size_t *size_returned) {
+    if (what == CL_DEVICE_TYPE && is_odd(device, "")) {
+        constexpr cl_device_type type = CL_DEVICE_TYPE_GPU;
+        return answer(&type, sizeof type, size, value, size_returned);
+    }
+    if (what == CL_DEVICE_VERSION && is_odd(device, "opencl_1_1")) {
+        return answer("OpenCL 1.1 Mesa 22.3.6", size, value, size_returned);
+    }
+    if (what == CL_DEVICE_OPENCL_C_VERSION && is_odd(device, "opencl_c_1_1")) {
+        return answer("OpenCL C 1.1", size, value, size_returned);
+    }
+    if (what == CL_DEVICE_IMAGE_SUPPORT && is_odd(device, "no_images")) {
+        constexpr cl_bool none = CL_FALSE;
+        return answer(&none, sizeof none, size, value, size_returned);
+    }
+    return REAL(clGetDeviceInfo)(device, what, size, value, size_returned);
+}
+
+cl_int clGetProgramBuildInfo(cl_program program, cl_device_id device, cl_program_build_info what,
+                             std::size_t size, void *value, std::size_t *size_returned) {
+    if (what == CL_PROGRAM_BUILD_LOG && is_odd(device, "no_build")) {
+        return answer("ray.cl:7:1: error: an odd compiler\nand more of it", size, value,
+                      size_returned);
+    }
+    return REAL(clGetProgramBuildInfo)(program, device, what, size, value, size_returned);
+}
+
+cl_int clGetKernelArgInfo(cl_kernel kernel, cl_uint index, cl_kernel_arg_info what,
+                          std::size_t size, void *value, std::size_t *size_returned) {
+    return is_to_fail("clGetKernelArgInfo")
+               ? CL_KERNEL_ARG_INFO_NOT_AVAILABLE
+               : REAL(clGetKernelArgInfo)(kernel, index, what, size, value, size_returned);
+}
+
 cl_int clBuildProgram(cl_program program, cl_uint count, const cl_device_id *devices,
                       const char *options, void(CL_CALLBACK *notify)(cl_program, void *),
                       void *data) {
-    return is_to_fail("clBuildProgram")
+    if (is_to_fail("abort")) {  // as PoCL does
+        std::abort();
+    }
+    if (is_to_fail("exit")) {  // as LLVM does
+        std::exit(1);
+    }
+    return is_to_fail("clBuildProgram") || is_odd(program, "no_build")
                ? CL_BUILD_PROGRAM_FAILURE
                : REAL(clBuildProgram)(program, count, devices, options, notify, data);
 }

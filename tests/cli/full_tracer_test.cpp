@@ -53,7 +53,7 @@ protected:
                            "[[lights]]\ntype = \"directional\"\ndirection = [0, -1, 0]\n"
                          + more);
         arguments.insert(arguments.begin(), {"scene.toml", "--size", small, "--out", "a.png",
-                                             "--stats", "stats.json"});
+                                             "--stats", "stats.json", "--verbose"});
         const Outcome outcome = run(stage, arguments);
         expect_done(outcome);
         said_ = outcome.out;

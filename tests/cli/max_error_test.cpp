@@ -52,8 +52,9 @@ TEST_F(Stage10MaxError, ThatNothingMeetsStillDraws) {
 }
 
 TEST_F(Stage10MaxError, IsANumberAboveNothing) {
-    for (const char *bad : {"0", "-1", "little", ""}) {
-        expect_one_line(draw({"--max-error", bad}), users_mistake, "--max-error");
+    for (const char *bad : {"0", "-1", "nan", "inf", "1e-400", "little", ""}) {
+        expect_one_line(draw({"--max-error", bad}), users_mistake,
+                        std::string("--max-error: ") + bad + ": expected a number above 0");
     }
     expect_one_line(draw({"--max-error", "0.1", "--samples", "4"}), users_mistake, "--samples");
     expect_one_line(run("09_acceleration", {"--max-error", "0.1"}), users_mistake, "--max-error");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line as a whole: what a program does of itself, and what it refuses.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cli/picture_file.h"
@@ -25,8 +27,10 @@ TEST_P(EveryStage, DrawsItsDefaultSceneToOut) {
     const Outcome outcome = run(GetParam(), {"--size", small});
     expect_done(outcome);
     const std::string picture = "out/" + GetParam() + ".png";
-    expect_part(outcome.out, "32x20: ");
-    expect_part(outcome.out, "wrote " + picture + "\n");
+    expect_part(outcome.out, "\n32x20, 1 sample a pixel: ");
+    expect_part(outcome.out, "\nwrote " + picture + "\n");
+    // 07 says first that there is no display.
+    EXPECT_EQ(std::ranges::count(outcome.out, '\n'), GetParam() == "07_interop" ? 4 : 3) << outcome;
     EXPECT_EQ(files(), (Files{"out", picture}));
     EXPECT_EQ(read_picture_file(folder.path() / picture).width, 32);
 }
@@ -36,7 +40,7 @@ TEST_P(EveryStage, HelpListsEveryOption) {
     expect_done(outcome);
     for (const char *option :
          {"size", "out", "samples", "depth", "device", "frames", "method", "kernels", "stats",
-          "list-devices", "window", "display", "texture", "scale"}) {
+          "list-devices", "window", "display", "texture", "scale", "verbose", "version"}) {
         expect_part(outcome.out, fmt::format("\n  --{} ", option));
     }
     for (const char *part : {"\n  scene ", "--help "}) {
@@ -44,6 +48,12 @@ TEST_P(EveryStage, HelpListsEveryOption) {
     }
     expect_part(outcome.out, "/scenes/" + GetParam() + ".toml");
     EXPECT_EQ(files(), Files{});
+}
+
+TEST_P(EveryStage, SaysItsVersion) {
+    const Outcome outcome = run(GetParam(), {"--version"});
+    expect_done(outcome);
+    EXPECT_EQ(outcome.out, "Stagelight " STAGELIGHT_VERSION "\n");
 }
 
 // A line each, with its source, from the stage on that has it.

@@ -110,7 +110,8 @@ TEST_F(Stage01Samples, SmoothEdgesAndLeaveFlatAreasAlone) {
 
 // Without bounces mirrors are dark: what they would show is dropped, and said to be.
 TEST_F(Stage03Depth, CutsOffReflectionsAndSaysSo) {
-    const PictureFile none = draw("03_reflection_glossy", {"--size", small, "--depth", "0"});
+    const PictureFile none =
+        draw("03_reflection_glossy", {"--size", small, "--depth", "0", "--verbose"});
     expect_part(said(), " rays dropped: deeper than 0 bounces (--depth)\n");
     const PictureFile some = draw("03_reflection_glossy", {"--size", small, "--depth", "8"});
     for (std::size_t i = 0; i < some.values.size(); ++i) {

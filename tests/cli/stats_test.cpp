@@ -17,7 +17,7 @@ class StatsFile : public Cli {
 protected:
     json stats(const std::string &stage, std::vector<std::string> arguments = {}) const {
         arguments.insert(arguments.end(),
-                         {"--size", small, "--out", "a.png", "--stats", "stats.json"});
+                         {"--size", small, "--out", "a.png", "--stats", "stats.json", "--verbose"});
         const Outcome outcome = run(stage, arguments);
         expect_done(outcome);
         said_ = outcome.out;

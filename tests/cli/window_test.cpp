@@ -19,7 +19,7 @@ protected:
     // With a display, and with what else is asked for.
     Outcome show(const std::string &stage, std::vector<std::string> arguments,
                  std::vector<std::string> environment = {}) const {
-        arguments.insert(arguments.end(), {"--size", small, "--device", "pthread"});
+        arguments.insert(arguments.end(), {"--size", small, "--device", "pocl"});
         environment.push_back("DISPLAY=" + xvfb.display());
         return run(stage, Start{arguments, environment});
     }
@@ -63,16 +63,21 @@ TEST_F(Stage07WithoutDisplay, OptionsThatContradictAreRefused) {
                     "--window and --display none");
     expect_one_line(run("01_primitives", {"--display", "screen"}), users_mistake, "--display");
     expect_one_line(run("01_primitives", {"--texture", "rgba8"}), users_mistake, "--texture");
-    expect_one_line(run("01_primitives", {"--scale", "0.5"}), users_mistake, "--scale");
+    for (const char *scale : {"0.5", "65", "nan", "two"}) {
+        expect_one_line(run("01_primitives", {"--scale", scale}), users_mistake, "--scale");
+    }
+    expect_one_line(run("01_primitives", {"--window", "--scale", "64", "--size", "1000x1000"}),
+                    users_mistake,
+                    "--scale 64: the window would be 64000x64000 pixels, expected 16384 at most");
 }
 
 TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
     expect_done(show("07_interop", {"--out", "none.exr"}));
     for (const std::string rung : {"shared", "copy"}) {
-        const Outcome outcome = show(
-            "07_interop",
-            {"--display", rung, "--frames", "60", "--out", rung + ".exr", "--stats", "stats.json"},
-            {layer});
+        const Outcome outcome = show("07_interop",
+                                     {"--display", rung, "--frames", "60", "--out", rung + ".exr",
+                                      "--stats", "stats.json", "--verbose"},
+                                     {layer});
         expect_done(outcome);
         expect_part(outcome.out, "display: " + rung + ": ");
         EXPECT_EQ(largest_difference(picture("none.exr"), picture(rung + ".exr")), 0) << rung;

@@ -37,13 +37,12 @@ public:
     std::vector<Result> run_in(const Scene &scene, const char *name,
                                const std::vector<Input> &...inputs) {
         cl::Kernel kernel(program_, name);
-        const DeviceScene on_device(context_, device_, kernel, scene, decode_);
+        const DeviceScene on_device(context_, device_, kernel, argument_names(kernel), scene,
+                                    decode_);
         return launch<Result>(kernel, inputs...);
     }
 
 private:
-    static constexpr std::size_t group = 64;
-
     template <typename Result, typename... Input>
     std::vector<Result> launch(cl::Kernel kernel, const std::vector<Input> &...inputs) {
         const std::size_t count = std::max({inputs.size()...});
@@ -51,6 +50,8 @@ private:
             throw std::logic_error("inputs of different lengths");
         }
         // Whole groups of one size: PoCL builds a kernel anew for each other size.
+        const std::size_t group =
+            std::min<std::size_t>(64, kernel.getWorkGroupInfo<CL_KERNEL_WORK_GROUP_SIZE>(device_));
         const std::size_t items = (count + group - 1) / group * group;
         std::vector<Result> results(items);
         const std::array<cl::Buffer, 1 + sizeof...(inputs)> buffers{upload(results, items),

@@ -12,13 +12,13 @@ import sys
 import tempfile
 import tomllib
 
-DEVICE = "pthread"  # PoCL's: one implementation shows what the checks see
+DEVICE = "pocl"  # PoCL's: one implementation shows what the checks see
 # The programs whose tests can notice what a kernel does: each starts once for a mistake, and runs the cases of the
 # mistake's stage. Not what the host does alone, nor what takes longest and sees no more: the goldens' reference,
 # each width, doubles, and whole programs.
 PROGRAMS = ("golden/golden", "render/render", "kernels/kernels")
 WINDOWS = {"07": ("display/rungs",)}  # of a stage whose lesson is in a window
-NOT_RUN = ("*DeviceMatchesReference*:*IsTheReferences*:Width.*:*pthread_4_2:*pthread_1_4:*Double.*:"
+NOT_RUN = ("*DeviceMatchesReference*:*IsTheReferences*:Width.*:*pocl_4_2:*pocl_1_4:*Double.*:"
            "*Bvh.*:*Tree.*:*Limits.*:*Threads.*:*Endurance*:*EveryStage*")
 TIMEOUT = 300  # seconds; for a mistake that does not end
 KERNEL_FILES = ("kernels/*.cl", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")

@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt  # noqa: E402 (the backend comes first)
 
 matplotlib.rcParams["svg.hashsalt"] = "stagelight"  # the same page from the same figures
 matplotlib.rcParams["svg.fonttype"] = "none"  # letters, not their outlines
-DEVICES = {"pthread": ("PoCL", "-"), "llvmpipe": ("rusticl", ":")}
+DEVICES = {"pocl": ("PoCL", "-"), "llvmpipe": ("rusticl", ":")}
 SMALLEST = 1e-12  # an error of 0 has no place on a logarithmic axis
 
 # Title, scene, the option that fails, what is seen.
@@ -68,7 +68,7 @@ def draw_sweep(by_device, file):
             finite = [e for _, e in points if math.isfinite(e)] + [sweep["limit"]]
             top = 10 * max(finite)
             axes.plot([x for x, _ in points], [min(e, top) for _, e in points], line, color=color, linewidth=1.3,
-                      marker=".", markersize=3, label=f"{method['name']}" if device == "pthread" else None)
+                      marker=".", markersize=3, label=f"{method['name']}" if device == "pocl" else None)
             if method["fails_at"] is not None:
                 at = next(min(e, top) for x, e in points if x == method["fails_at"])
                 axes.plot(method["fails_at"], at, "X", color=color, markersize=8, markeredgecolor="black")
