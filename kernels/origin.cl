@@ -31,6 +31,16 @@ static float3 leave_error_bound(const float3 position, const float3 normal, cons
 #endif
 #define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
 
+// How many roundings a division and a square root stand for: one each by IEEE 754, which double and many
+// devices have. OpenCL 1.2 alone promises 2.5 and 3 ulp (specification, section 7.4), of two roundings each.
+#if HAS_EXACT_DIVISION || METHOD_MATH_FP64
+#define DIVISION 1.0f
+#define ROOT 1.0f
+#else
+#define DIVISION 5.0f
+#define ROOT 6.0f
+#endif
+
 // #region error_along
 // Of a position that is off by up to `error` along each axis, itself to be rounded once more: how far off
 // along the normal, of any length.

@@ -22,7 +22,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
     surface->offset = error_along(surface->normal, surface->position,
-                                  (float3)(GAMMA(6.0f) * sphere.radius));
+                                  (float3)(GAMMA(4.0f + ROOT + DIVISION) * sphere.radius));
 #if HAS_TEXTURES
     surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
 #endif
@@ -38,7 +38,7 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->material = plane.material;
     surface->offset =
         error_along(surface->normal, surface->position,
-                    GAMMA(8.0f) * (fabs(ray.origin) + fabs(hit.distance * ray.direction)));
+                    GAMMA(7.0f + DIVISION) * (fabs(ray.origin) + fabs(hit.distance * ray.direction)));
 #if HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);  // a plane has none
 #endif
