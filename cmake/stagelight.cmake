@@ -4,7 +4,7 @@
 option(STAGELIGHT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STAGELIGHT_SANITIZE_THREAD "Build with ThreadSanitizer" OFF)
 option(STAGELIGHT_FUZZ "Build what ./stagelight fuzz runs, which needs Clang" OFF)
-option(STAGELIGHT_PEERS "Build ./stagelight bench peers, which needs packages_peers.txt" OFF)
+option(STAGELIGHT_PEERS "Build ./stagelight bench peers, which needs packages/peers.txt" OFF)
 
 set(stagelight_sanitizers "")
 if(STAGELIGHT_SANITIZE OR STAGELIGHT_FUZZ)

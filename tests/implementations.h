@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The OpenCL implementations that tests run on: the two that packages.txt brings, which share Clang
+// The OpenCL implementations that tests run on: the two that packages/ brings, which share Clang
 // and LLVM and nothing else, or the one that STAGELIGHT_DEVICE names (./stagelight test --device),
 // where programs that tests start draw too.
 #pragma once

@@ -18,18 +18,35 @@ fake_installed() {
     fake dpkg-query "$(printf 'printf "installed:%%s " %s\nexit 1' "$*")"
 }
 
+# fake_known NAMES: what apt can install; without names, all that it is asked for.
+fake_known() {
+    # shellcheck disable=SC2016 # expanded by the fake
+    local names='${*:2}'
+    (($# == 0)) || names=$*
+    # shellcheck disable=SC2016
+    fake apt-cache "for name in $names; do"' printf "%s:\n  Candidate: 1\n" "$name"; done'
+}
+
 make_machine() {
     mkdir -p "$machine" "$checkout/stages/01_first" "$checkout/stages/04_last"
     cp "$source_dir/stagelight" "$checkout"
-    printf '# a list\none  # a reason\ntwo\nthree # another\n' >"$checkout/packages.txt"
-    printf '# more\nfour # for one verb\n' >"$checkout/packages_peers.txt"
+    mkdir "$checkout/packages"
+    printf '# a list\none  # a reason\ntwo\nthree | drei | trois # another\n' >"$checkout/packages/draw.txt"
+    printf 'needs: draw\nread\n' >"$checkout/packages/learn.txt"
+    printf 'needs: learn\ntry\noptional: rare | scarce # not everywhere\n' >"$checkout/packages/test.txt"
+    printf 'needs: test\nfour # for one verb\n' >"$checkout/packages/peers.txt"
+    printf 'needs: test\n' | tee "$checkout/packages/check.txt" >"$checkout/packages/docs.txt"
     local tool
-    for tool in bash env dirname readlink sed cat mkdir nproc awk mktemp rm; do
+    for tool in bash env dirname readlink sed cat mkdir nproc awk mktemp rm flock touch tee sleep; do
         ln -s "$(command -v $tool)" "$machine/$tool"
     done
-    fake_installed one two three
+    fake_installed one two three read try rare
+    fake_known
     fake id 'echo 0'
     fake apt-get ''
+    fake dpkg ''
+    fake df 'echo heading; echo 1000000 /'
+    fake c++ ''
     # shellcheck disable=SC2016 # expanded by the fakes
     {
         fake ctest 'echo "${*@Q}"; echo "100% tests passed"'
@@ -43,6 +60,8 @@ make_machine() {
             else
                 mkdir -p "$2/build/$4"
                 : >"$2/build/$4/build.ninja"
+                printf "%s\n" "CMAKE_HOME_DIRECTORY:INTERNAL=$2" CMAKE_CXX_COMPILER:STRING=c++ \
+                    "BUILD_TESTING:BOOL=${7#*=}" >"$2/build/$4/CMakeCache.txt"
             fi'
     }
 }
@@ -77,7 +96,7 @@ test_unknown_command() {
 
 test_unknown_stage() {
     local stage
-    for stage in 02 4 04_ 04_last/ '0*'; do
+    for stage in 02 5 004 04_ 04_last/ '0*'; do
         stagelight run "$stage"
         expect_equal "exit code of $stage" 2 $code
         expect_equal "message" "stagelight: no stage '$stage'; there are: 01_first 04_last" "$errors"
@@ -89,18 +108,90 @@ test_run_builds_one_stage_and_passes_everything() {
     stagelight run 01 "a scene.toml" --size 32x20
     expect_equal "exit code is the program's" 7 $code
     expect_equal "program, folder, options" "01_first in $scratch: 'a scene.toml' '--size' '32x20'" "$output"
-    expect_equal "cmake" "cmake -S $checkout --preset release --log-level=NOTICE
+    expect_equal "cmake" "cmake -S $checkout --preset release --log-level=NOTICE -D BUILD_TESTING=OFF --fresh
 cmake --build $checkout/build/release --target 01_first" "$(calls cmake)"
-    stagelight run 04_last
-    expect_equal "by full name" "04_last in $scratch: " "$output"
-    expect_equal "configured once, built twice" 3 "$(calls cmake | wc -l)"
+    local stage
+    for stage in 04_last 04 4; do
+        stagelight run $stage --depth 3
+        expect_equal "by the name $stage" "04_last in $scratch: '--depth' '3'" "$output"
+    done
+    expect_equal "configured once, built four times" 5 "$(calls cmake | wc -l)"
 }
 
 test_run_takes_the_highest_stage() {
     stagelight run --depth 3
     expect_equal "program and options" "04_last in $scratch: '--depth' '3'" "$output"
+}
+
+# Unless it is asked for anything, or opens a window.
+test_run_smooths_the_first_picture() {
+    mkdir "$checkout/stages/07_interop"
+    stagelight run 01
+    expect_equal "a stage" "01_first in $scratch: '--samples' '16'" "$output"
+    stagelight run 07
+    expect_equal "the window's" "07_interop in $scratch: " "$output"
+    stagelight run 01 --depth 3
+    expect_equal "with an option" "01_first in $scratch: '--depth' '3'" "$output"
+    rmdir "$checkout/stages/07_interop"
     stagelight run
-    expect_equal "program" "04_last in $scratch: " "$output"
+    expect_equal "the highest" "04_last in $scratch: '--samples' '16'" "$output"
+}
+
+test_run_draws_a_scene_in_the_place_of_a_stage() {
+    stagelight run "my scene.toml"
+    expect_equal "by its ending" "04_last in $scratch: 'my scene.toml'" "$output"
+    : >"$scratch/scene"
+    stagelight run scene --depth 3
+    expect_equal "any file" "04_last in $scratch: 'scene' '--depth' '3'" "$output"
+}
+
+# It tells its age when the picture is there; what a terminal, or a caller, sends is for it.
+test_run_starts_the_program_as_a_process_of_its_own() {
+    # shellcheck disable=SC2016 # expanded by the fakes
+    fake cmake '
+        mkdir -p "$2/stages"
+        printf "#!/bin/bash\necho \$\$ >%s/program\ntrap \"exit 9\" TERM INT\ncat\nwhile :; do sleep 0.02; done\n" \
+            '"$scratch"' >"$2/stages/04_last"
+        /bin/chmod +x "$2/stages/04_last"'
+    local signal door
+    for signal in TERM INT; do
+        rm -f "$scratch/program"
+        PATH=$machine env --default-signal=INT "$checkout/stagelight" run <<<"its input" >"$scratch/said" 2>/dev/null &
+        door=$!
+        for _ in {1..200}; do
+            [[ ! -s $scratch/program || $(<"$scratch/said") != "its input" ]] || break
+            sleep 0.02
+        done
+        expect_equal "its input" "its input" "$(<"$scratch/said")"
+        [[ $(<"$scratch/program") != "$door" ]] || fail "the program is the script's process"
+        kill -$signal $door
+        code=0
+        wait $door || code=$?
+        expect_equal "exit code after $signal is the program's" 9 $code
+        ! kill -0 "$(<"$scratch/program")" 2>/dev/null || fail "the program is still there after $signal"
+    done
+}
+
+test_help_of_each_command_builds_and_installs_nothing() {
+    local command
+    fake_installed
+    for command in run test mutate golden report bench chart diff step exercise docs check stability fuzz povray \
+        doctor; do
+        stagelight $command --help
+        expect_equal "exit code of $command --help" 0 $code
+        expect_text "its own lines" "  $command" "$output"
+        expect_empty "lines of others" "$(grep -E '^  [a-z]' <<<"$output" | grep -v "^  $command" || true)"
+    done
+    stagelight run 01 --size 1x1 -h
+    expect_text "help after other options" "Once 01_first is built" "$output"
+    [[ ! -e $log ]] || fail "not only help:" "$(<"$log")"
+    [[ ! -e $checkout/build ]] || fail "a build folder was made"
+    fake_installed one two three
+    stagelight run 01
+    : >"$log"
+    stagelight run 01 --help
+    expect_text "what the program says" "01_first in $scratch: '--help'" "$output"
+    expect_empty "what was called" "$(<"$log")"
 }
 
 test_presets_changed_configures_again() {
@@ -228,7 +319,7 @@ test_bench_peers_has_packages_and_a_build_of_its_own() {
     expect_equal "exit code" 0 $code
     expect_equal "output" "on , : --fast" "$output"
     expect_text "apt-get" "install --yes --no-install-recommends four" "$(calls apt-get)"
-    expect_equal "cmake" "cmake -S $checkout --preset peers --log-level=NOTICE
+    expect_equal "cmake" "cmake -S $checkout --preset peers --log-level=NOTICE -D BUILD_TESTING=ON --fresh
 cmake --build $checkout/build/peers --target bench_peers" "$(calls cmake)"
     : >"$log"
     DISPLAY=:7 stagelight bench interop
@@ -254,7 +345,7 @@ test_fuzz_runs_each_in_a_build_of_its_own() {
 60 mesh
 60 texture" "$output"
     expect_text "message" "the findings are in $checkout/build/fuzz/findings" "$errors"
-    expect_equal "cmake" "cmake -S $checkout --preset fuzz --log-level=NOTICE
+    expect_equal "cmake" "cmake -S $checkout --preset fuzz --log-level=NOTICE -D BUILD_TESTING=ON --fresh
 cmake --build $checkout/build/fuzz --target fuzzers" "$(calls cmake)"
     stagelight fuzz texture --seconds 3600 scene
     expect_equal "exit code" 0 $code
@@ -288,10 +379,123 @@ test_set_up_leaves_a_complete_machine_alone() {
 test_set_up_installs_what_is_missing() {
     fake dpkg-query 'echo "installed:two config-files:three "; exit 1'
     stagelight run
-    expect_equal "apt-get" "apt-get update
-apt-get install --yes --no-install-recommends one three" "$(calls apt-get)"
+    expect_equal "apt-get" "apt-get -o DPkg::Lock::Timeout=600 update
+apt-get -o DPkg::Lock::Timeout=600 install --yes --no-install-recommends one three" "$(calls apt-get)"
     expect_text "messages" "installing one three" "$errors"
     expect_text "output" "04_last" "$output"
+}
+
+# installs VERB: what set-up has apt-get install for it on a bare machine.
+installs() {
+    fake_installed
+    : >"$log"
+    stagelight "$@"
+    calls apt-get | sed -n 's/.*--no-install-recommends //p'
+}
+
+test_set_up_for_each_purpose() {
+    mkdir "$checkout/tests" "$checkout/tests/fuzz"
+    local command
+    expect_equal "run" "one two three" "$(installs run)"
+    for command in step exercise diff report; do
+        expect_equal "$command" "one two three read" "$(installs $command)"
+    done
+    for command in test golden bench chart mutate stability povray fuzz; do
+        expect_equal "$command" "one two three read try rare" "$(installs $command)"
+    done
+    expect_equal "bench peers" "one two three read try four rare" "$(installs bench peers)"
+}
+
+test_set_up_takes_an_alternative() {
+    fake_installed one two trois
+    stagelight run
+    expect_empty "apt-get, with one installed" "$(calls apt-get)"
+    fake_known one two drei trois
+    expect_equal "the first that is known" "one two drei" "$(installs run)"
+}
+
+test_set_up_passes_over_what_is_optional() {
+    fake_known one two three read try
+    expect_equal "installs" "one two three read try" "$(installs test)"
+    stagelight test
+    expect_equal "exit code" 0 $code
+    expect_text "message" "stagelight: this system has no rare or scarce: what needs it is left out" "$errors"
+    fake_installed one two three read try
+    : >"$log"
+    stagelight test
+    expect_empty "apt-get, with nothing else missing" "$(calls apt-get)"
+    fake_known
+    fake apt-get 'exit 100'
+    stagelight test
+    expect_equal "exit code, where apt fails" 0 $code
+    expect_text "message" "rare could not be installed: what needs it is left out" "$errors"
+}
+
+test_set_up_on_an_unknown_release() {
+    fake_installed
+    fake_known one two
+    stagelight run
+    expect_equal "exit code" 3 $code
+    local last=${errors##*$'\n'}
+    # shellcheck source=/dev/null
+    expect_text "the last line names the system" "$(. /etc/os-release && echo "$PRETTY_NAME")" "$last"
+    expect_text "the last line names the package" \
+        "has no package three or drei or trois, which ./stagelight needs; Debian 12, 13 and testing" "$last"
+    expect_equal "apt-get only updates" "apt-get -o DPkg::Lock::Timeout=600 update" "$(calls apt-get)"
+}
+
+# apt-get update ends with 0 without a network; then apt knows nothing, or can't fetch what it knows.
+test_set_up_without_a_network() {
+    fake_installed
+    fake_known no_package
+    fake apt-get 'echo "W: Failed to fetch http://there  Temporary failure resolving"'
+    stagelight run
+    expect_equal "exit code" 3 $code
+    expect_equal "the last line" "stagelight: apt reaches no server of packages; connect this machine to the network and try again" \
+        "${errors##*$'\n'}"
+    fake_known
+    fake apt-get 'echo "E: Failed to fetch http://there"; [[ $* == *update ]] || exit 100'
+    stagelight run
+    expect_equal "exit code" 3 $code
+    expect_text "apt's words" "E: Failed to fetch http://there" "$errors"
+    expect_equal "the last line" "stagelight: apt could not fetch packages, see above; connect this machine to the network and try again" \
+        "${errors##*$'\n'}"
+}
+
+test_set_up_after_an_interrupted_one() {
+    fake_installed one two
+    fake dpkg ": >$scratch/mended"
+    # shellcheck disable=SC2016 # expanded by the fake
+    fake apt-get '[[ $* != *" install "* || -e '"$scratch"'/mended ]] && exit
+        echo "E: dpkg was interrupted, you must manually run '"'dpkg --configure -a'"' to correct the problem."
+        exit 100'
+    stagelight run
+    expect_text "output after $errors" "04_last" "$output"
+    expect_equal "dpkg" "dpkg --configure -a" "$(calls dpkg)"
+}
+
+test_full_disk() {
+    fake_installed one two
+    fake apt-get 'echo "E: You don'"'"'t have enough free space in /var/cache/apt/archives/."; exit 100'
+    stagelight run
+    expect_equal "exit code" 3 $code
+    expect_equal "the last line" "stagelight: a disk is full, see above; free some space and try again" \
+        "${errors##*$'\n'}"
+    fake_installed one two three
+    fake df 'echo heading; echo 1000000 /; echo 12 /mnt'
+    fake cmake 'exit 1'
+    stagelight run
+    expect_equal "exit code" 3 $code
+    expect_equal "the last line" "stagelight: the disk at /mnt is full; free some space and try again" \
+        "${errors##*$'\n'}"
+}
+
+test_a_folder_that_cannot_be_written() {
+    : >"$checkout/build"
+    stagelight run
+    expect_equal "exit code" 3 $code
+    expect_text "message" "./stagelight builds there, so free some space or make the folder yours" "$errors"
+    expect_equal "lines" 1 "$(wc -l <<<"$errors")"
 }
 
 test_set_up_uses_sudo() {
@@ -300,23 +504,24 @@ test_set_up_uses_sudo() {
     # shellcheck disable=SC2016 # expanded by the fake
     fake sudo '"$@"'
     stagelight run
-    expect_equal "sudo" "sudo apt-get update
-sudo env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends two" \
-        "$(calls sudo)"
+    local apt="sudo env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=600"
+    expect_equal "sudo" "$apt update
+$apt install --yes --no-install-recommends two" "$(calls sudo)"
 }
 
 test_set_up_without_sudo_names_the_command() {
     fake_installed
+    fake_known one trois
     fake id 'echo 1000'
-    stagelight test
+    stagelight run
     expect_equal "exit code" 3 $code
-    expect_text "messages" "as root, run: apt-get install --no-install-recommends one two three" \
+    expect_equal "messages" "stagelight: packages are missing; as root, run: apt-get install --no-install-recommends one trois two" \
         "$errors"
     expect_empty "apt-get or cmake was called" "$(calls apt-get)$(calls cmake)"
 }
 
 test_set_up_tells_why_apt_failed() {
-    fake_installed one two
+    fake_installed one two read try rare
     fake apt-get 'echo "E: no such luck"; exit 100'
     stagelight golden
     expect_equal "exit code" 3 $code
@@ -327,8 +532,106 @@ test_set_up_tells_why_apt_failed() {
 test_set_up_goes_on_where_there_is_no_apt() {
     rm "$machine/apt-get" "$machine/dpkg-query"
     stagelight run
-    expect_text "messages" "what is here of: one two three" "$errors"
+    expect_text "messages" "what is here of: one, two, three or drei or trois" "$errors"
     expect_text "output" "04_last" "$output"
+}
+
+test_tests_are_configured_where_they_are_run() {
+    stagelight run
+    stagelight test
+    expect_text "cmake" "-D BUILD_TESTING=ON" "$(calls cmake | sed -n 3p)"
+    stagelight run
+    stagelight test
+    expect_equal "configured twice, built four times" 6 "$(calls cmake | wc -l)"
+}
+
+# The copy's build folder knows the original's sources, all of its presets'.
+test_a_copied_checkout_builds_itself() {
+    stagelight test
+    cp -r "$checkout/build/release" "$checkout/build/fuzz"
+    cp -r "$checkout" "$scratch/copy"
+    : >"$log"
+    checkout=$scratch/copy
+    stagelight run 01 --depth 3
+    expect_text "message" "stagelight: configuring build/release anew: it was made in $scratch/checkout" "$errors"
+    expect_equal "cmake" "cmake -S $scratch/copy --preset release --log-level=NOTICE -D BUILD_TESTING=OFF --fresh
+cmake --build $scratch/copy/build/release --target 01_first" "$(calls cmake)"
+    [[ ! -e $scratch/copy/build/fuzz/CMakeCache.txt ]] || fail "build/fuzz still belongs to the original"
+    expect_equal "program" "01_first in $scratch: '--depth' '3'" "$output"
+}
+
+test_a_moved_checkout_builds_itself() {
+    stagelight run
+    mv "$checkout" "$scratch/moved"
+    : >"$log"
+    checkout=$scratch/moved
+    stagelight run
+    expect_text "message" "it was made in $scratch/checkout" "$errors"
+    expect_text "cmake" "cmake -S $scratch/moved" "$(calls cmake)"
+    stagelight run
+    expect_equal "messages the second time" "stagelight: building 04_last" "$errors"
+}
+
+test_a_compiler_that_is_gone() {
+    stagelight run
+    rm "$machine/c++"
+    : >"$log"
+    stagelight run
+    expect_text "message" "configuring build/release anew: its compiler c++ is gone" "$errors"
+    expect_text "cmake" "--fresh" "$(calls cmake)"
+}
+
+test_an_interrupted_configuration_begins_anew() {
+    stagelight run
+    rm "$checkout/build/release/build.ninja"
+    : >"$log"
+    stagelight run
+    expect_text "cmake" "--fresh" "$(calls cmake)"
+}
+
+# Not while the program runs, which may be a window's.
+test_two_at_once_build_in_turn() {
+    stagelight run
+    # shellcheck disable=SC2016 # expanded by the fake
+    fake cmake 'echo begin >>'"$scratch"'/turns; sleep 0.3; echo end >>'"$scratch/turns"
+    printf '#!/bin/bash\nexec sleep 5\n' >"$checkout/build/release/stages/04_last"
+    PATH=$machine "$checkout/stagelight" run 04 2>"$scratch/first" &
+    local first=$!
+    sleep 0.1
+    stagelight run 01 --depth 3
+    expect_equal "turns" "begin end begin end" "$(tr '\n' ' ' <"$scratch/turns" | sed 's/ $//')"
+    expect_text "messages" "stagelight: another ./stagelight is setting up or building in this checkout; waiting for it
+stagelight: building 01_first" "$errors"
+    kill -0 $first || fail "the first has ended before the second"
+    kill $first
+}
+
+# What a step leaves running, as a server that a package starts, does not keep others waiting.
+test_a_lock_is_nobody_elses() {
+    stagelight run
+    # shellcheck disable=SC2016 # expanded by the fake
+    fake cmake 'sleep 5 >/dev/null 2>&1 & echo $! >'"$scratch/server"
+    stagelight run
+    flock --nonblock "$checkout/build/lock" true || fail "the lock is still held"
+    kill "$(<"$scratch/server")"
+}
+
+test_test_counts_what_is_left_out() {
+    # shellcheck disable=SC2016 # expanded by the fake
+    fake ctest 'mkdir -p '"$checkout"'/build/release/Testing/Temporary
+        printf "%s\n" "left out: this system has no rare" "x.cpp:3: Skipped" "no doubles" "" \
+            "left out: this system has no rare" >'"$checkout"'/build/release/Testing/Temporary/LastTest.log
+        echo "100% tests passed"'
+    stagelight test
+    expect_equal "exit code" 0 $code
+    local last=${errors##*$'\n'} reason
+    for reason in "2 (this system has no rare)" "1 (no doubles)"; do
+        expect_text "the last line" "$reason" "$last"
+    done
+    fake ctest 'exit 8'
+    stagelight test
+    expect_equal "exit code" 1 $code
+    expect_equal "the last line, of nothing left out" "stagelight: building all" "${errors##*$'\n'}"
 }
 
 test_doctor_on_a_bare_machine() {
@@ -338,7 +641,7 @@ test_doctor_on_a_bare_machine() {
     expect_equal "exit code" 3 $code
     local remedy
     for remedy in "apt-get install "{g++,cmake,ninja-build,clinfo,mesa-utils,xvfb} \
-        "LACKING: one three"; do
+        "LACKING: draw: one three"; do
         expect_text "doctor" "$remedy" "$output"
     done
 }

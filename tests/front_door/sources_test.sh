@@ -23,12 +23,18 @@ test_spdx_line() {
     local file
     while read -r file; do
         head -n 2 "$file" | grep -q 'SPDX-License-Identifier: MIT$' || echo "${file#"$source_dir"/}"
-    done < <(list_files '*.h' '*.cpp' '*.cl' '*.toml' '*.cmake' CMakeLists.txt '*.sh' stagelight run \
-        'packages*.txt') >"$scratch/without"
+    done < <(list_files '*.h' '*.cpp' '*.cl' '*.toml' '*.cmake' CMakeLists.txt '*.sh' stagelight run
+        find "$source_dir/packages" -type f) >"$scratch/without"
     expect_empty "no SPDX line at the head of" "$(<"$scratch/without")"
 }
 
 test_clang_format() {
+    local version
+    version=$(clang-format --version)
+    if [[ $version != *"version 14."* ]]; then
+        echo "left out: other versions of clang-format than 14 lay out the sources in other ways"
+        exit 77
+    fi
     list_files '*.h' '*.cpp' | xargs -d '\n' clang-format --dry-run -Werror
 }
 
