@@ -679,6 +679,22 @@ test_doctor_needs_a_device_that_shows() {
     [[ $output != *"no device"* ]] || fail "expected llvmpipe to do, but:" "$output"
 }
 
+test_systems_wants_a_release_and_root() {
+    local release
+    for release in "" run buster "13 13.1"; do
+        code=0
+        # shellcheck disable=SC2086 # no argument at all is one of the cases
+        output=$(bash "$source_dir/tests/systems/try.sh" $release 2>&1) || code=$?
+        expect_equal "exit code of '$release'" 2 $code
+        expect_text "message" "bookworm (12), trixie (13) or forky (testing)" "$output"
+    done
+    code=0
+    fake id 'echo 1000'
+    output=$(PATH=$machine:$PATH bash "$source_dir/tests/systems/try.sh" 13 2>&1) || code=$?
+    expect_equal "exit code" 3 $code
+    expect_equal "message" "try.sh: only root may mount and chroot; try sudo" "$output"
+}
+
 # It goes on where a part has failed, says which did, and fails in the end.
 test_ci_run_asks_for_each_part() {
     mkdir "$checkout/.ci"
