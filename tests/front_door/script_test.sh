@@ -494,6 +494,7 @@ test_a_folder_that_cannot_be_written() {
     : >"$checkout/build"
     stagelight run
     expect_equal "exit code" 3 $code
+    expect_text "which folder" "$checkout/build" "$errors"
     expect_text "message" "./stagelight builds there, so free some space or make the folder yours" "$errors"
     expect_equal "lines" 1 "$(wc -l <<<"$errors")"
 }
