@@ -80,8 +80,8 @@ export default defineConfig({
       },
       {
         text: 'Reference',
-        items: links(['architecture', 'shading', 'scene-format', 'methods', 'benchmarks', 'mutants', 'pov-ray',
-          'gl-sharing-layer', 'implementations']),
+        items: links(['other-systems', 'window', 'scene-format', 'methods', 'shading', 'architecture', 'benchmarks',
+          'mutants', 'pov-ray', 'gl-sharing-layer', 'implementations']),
       },
     ],
   },
