@@ -79,4 +79,18 @@ test_no_path_of_a_machine() {
         grep -aHnoE '(^|[^[:alnum:]_.-])/(work|root|home)/.{0,40}' || true)"
 }
 
+# What is built, what is cited and what has changed are of one version.
+test_versions_agree() {
+    local built cited changed
+    built=$(sed -n 's/^project(stagelight VERSION \([0-9.]*\) .*/\1/p' "$source_dir/CMakeLists.txt")
+    cited=$(sed -n 's/^version: //p; s/^date-released: //p' "$source_dir/CITATION.cff")
+    changed=$(sed -n '0,/^## /s/^## //p' "$source_dir/CHANGELOG.md")
+    expect_equal "CHANGELOG.md's newest entry against CITATION.cff" "${cited/$'\n'/, }" "$changed"
+    expect_equal "CMakeLists.txt against CHANGELOG.md" "${changed%%, *}" "$built"
+}
+
+test_devcontainer_is_json() {
+    python3 -m json.tool "$source_dir/.devcontainer/devcontainer.json" >/dev/null
+}
+
 "test_$name"
