@@ -18,7 +18,7 @@ if ! is_up; then
     done
 fi
 is_up || {
-    echo "display.sh: Xvnc did not start; without it run on, with --display none" >&2
+    echo "display.sh: Xvnc did not start on $DISPLAY; --entrypoint bash does without a display" >&2
     exit 3
 }
 echo "the display: http://localhost:6080/vnc.html?autoconnect=true&resize=scale" >&2
