@@ -22,24 +22,16 @@ static float3 leave_error_bound(const float3 position, const float3 normal, cons
 }
 // #endregion add_offset
 
-// What `count` roundings in a row do to a number, at the most (section 3.9.1 there). The maps of Baldwin
-// and Weber were rounded to float on the host.
+// What `count` roundings in a row do to a number, at the most (section 3.9.1 there). A division counts as
+// five and a square root as six: OpenCL 1.2 promises 2.5 and 3 ulp, of two roundings each, where a device
+// does not round them as IEEE 754 has it (specification, section 7.4). The maps of Baldwin and Weber were
+// rounded to float on the host.
 #if METHOD_MATH_FP64 && !HAS_FACET_MAPS
 #define ROUNDING 1.1102230246251565e-16
 #else
 #define ROUNDING 5.9604645e-8f
 #endif
 #define GAMMA(count) ((count) * ROUNDING / (1.0f - (count) * ROUNDING))
-
-// How many roundings a division and a square root stand for: one each by IEEE 754, which double and many
-// devices have. OpenCL 1.2 alone promises 2.5 and 3 ulp (specification, section 7.4), of two roundings each.
-#if HAS_EXACT_DIVISION || METHOD_MATH_FP64
-#define DIVISION 1.0f
-#define ROOT 1.0f
-#else
-#define DIVISION 5.0f
-#define ROOT 6.0f
-#endif
 
 // #region error_along
 // Of a position that is off by up to `error` along each axis, itself to be rounded once more: how far off

@@ -22,7 +22,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
     surface->offset = error_along(surface->normal, surface->position,
-                                  (float3)(GAMMA(4.0f + ROOT + DIVISION) * sphere.radius));
+                                  (float3)(GAMMA(15.0f) * sphere.radius));
 #if HAS_TEXTURES
     surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
 #endif
@@ -31,14 +31,16 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
 #endif
 
 #if PLANE_COUNT > 0
+// Put back onto the plane too, which takes out what the division has left in the distance.
 static void plane_surface(Surface *surface, const Plane plane, const Ray ray, const Hit hit) {
-    surface->position = ray.origin + hit.distance * ray.direction;
-    surface->normal = XYZ(plane.normal);
-    surface->geometric_normal = XYZ(plane.normal);
+    const float3 normal = XYZ(plane.normal);
+    const float3 position = ray.origin + hit.distance * ray.direction;
+    surface->position = position - (dot(normal, position) - plane.offset) * normal;
+    surface->normal = normal;
+    surface->geometric_normal = normal;
     surface->material = plane.material;
     surface->offset =
-        error_along(surface->normal, surface->position,
-                    GAMMA(7.0f + DIVISION) * (fabs(ray.origin) + fabs(hit.distance * ray.direction)));
+        error_along(normal, position, (float3)(GAMMA(12.0f)) * fabs(position));
 #if HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);  // a plane has none
 #endif

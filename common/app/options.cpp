@@ -131,9 +131,10 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     samples_option->check(CLI::Range(1, most_samples))->capture_default_str();
     app.add_option("--depth", options.depth, "bounces (default: the scene's)")
         ->check(CLI::Range(0, most_depth));
-    app.add_option("--device", options.device,
-                   "index, name part, cpu or gpu (default: STAGELIGHT_DEVICE, else the first GPU, "
-                   "else the first device)");
+    app.add_option(
+        "--device", options.device,
+        "index, a part of a line of --list-devices, cpu or gpu (default: STAGELIGHT_DEVICE, "
+        "else the first that can draw the scene, GPUs first)");
     app.add_option("--frames", options.frames,
                    "render the picture, with all of its samples, this often, for --stats (default: "
                    "once, and in a window whenever something changes)")

@@ -141,7 +141,7 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
         options += " -D HAS_FMA=1";
     }
     if (config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT && !is_double(methods)) {
-        options += " -cl-fp32-correctly-rounded-divide-sqrt -D HAS_EXACT_DIVISION=1";
+        options += " -cl-fp32-correctly-rounded-divide-sqrt";
     }
     for (const auto &[name, value] : needs) {
         options += fmt::format(" -D {}={}", name, value);

@@ -223,12 +223,10 @@ TEST_F(Stage07Viewer, ScreenshotsAreThePictureAndCountUp) {
 }
 
 TEST_F(Stage07Viewer, ScreenshotsOfEarlierRunsStay) {
+    const fs::path earlier = folder.write("shot_1.exr", "an earlier picture");
     run([](Person &) {});
-    const fs::path first = folder.path() / "shot_1.exr";
-    const auto written = fs::last_write_time(first);
-    run([](Person &) {});
-    EXPECT_EQ(fs::last_write_time(first), written);
-    EXPECT_TRUE(fs::exists(folder.path() / "shot_8.exr"));
+    EXPECT_EQ(fs::file_size(earlier), std::string("an earlier picture").size());
+    EXPECT_TRUE(fs::exists(folder.path() / "shot_2.exr"));
 }
 
 TEST_F(Stage07Viewer, ReloadedKernelsDrawTheNextFrame) {
@@ -268,8 +266,8 @@ TEST_F(Stage07Viewer, MissingKernelsAreToldAndLeftOut) {
 TEST_F(Stage07Viewer, TheTitleSaysWhatAFrameCosts) {
     std::string title;
     run([&title](Person &person) { title = person.title(); });
-    for (const char *part :
-         {"01_primitives", " ms", " million rays/s", "copy", implementations.front()}) {
+    const std::string device = choose_device(implementations.front()).getInfo<CL_DEVICE_NAME>();
+    for (const char *part : {"01_primitives", " ms", " million rays/s", "copy", device.c_str()}) {
         EXPECT_NE(title.find(part), std::string::npos) << part << " in " << title;
     }
 }

@@ -34,6 +34,6 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->position = center + radius * from_center;
     surface->material = sphere.material;
     surface->offset =
-        error_along(surface->normal, surface->position, (float3)(GAMMA(6.0f) * radius));
+        error_along(surface->normal, surface->position, (float3)(GAMMA(15.0f) * radius));
 }
 // #endregion sphere_surface

@@ -25,6 +25,6 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
     surface->offset = error_along(surface->normal, surface->position,
-                                  (float3)(GAMMA(6.0f) * sphere.radius));
+                                  (float3)(GAMMA(15.0f) * sphere.radius));
 }
 // #endregion sphere_surface
