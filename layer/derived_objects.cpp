@@ -27,7 +27,7 @@ cl_mem CL_API_CALL create_image(cl_context context, cl_mem_flags flags,
                                 void *host, cl_int *errcode_ret) {
     return answer_handle(errcode_ret, [&] {
         const cl_mem made = made_by(driver->clCreateImage, context, flags, format, desc, host);
-        return inheriting(made, desc->mem_object);
+        return inheriting(made, desc->buffer);
     });
 }
 
@@ -39,7 +39,7 @@ cl_mem CL_API_CALL create_image_with_properties(cl_context context,
     return answer_handle(errcode_ret, [&] {
         const cl_mem made = made_by(driver->clCreateImageWithProperties, context, properties, flags,
                                     format, desc, host);
-        return inheriting(made, desc->mem_object);
+        return inheriting(made, desc->buffer);
     });
 }
 

@@ -9,9 +9,11 @@
 
 namespace stagelight {
 
-// Newer headers hand out a cl::Platform, older ones its handle.
+// Newer headers give getInfo<CL_DEVICE_PLATFORM>() as a cl::Platform, older ones as its id.
 inline cl::Platform platform_of(const cl::Device &device) {
-    return cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    cl::Platform platform;
+    device.getInfo(CL_DEVICE_PLATFORM, &platform);
+    return platform;
 }
 
 }  // namespace stagelight

@@ -14,7 +14,7 @@ SharedRung::SharedRung(const cl::Device &device, ContextApi api, TextureFormat f
     : Rung(shared_context(device, api), device, format) {
     if (has_extension(device, "cl_khr_gl_event")) {
         event_of_sync_ = reinterpret_cast<EventOfSync>(clGetExtensionFunctionAddressForPlatform(
-            device.getInfo<CL_DEVICE_PLATFORM>(), "clCreateEventFromGLsyncKHR"));
+            platform_of(device)(), "clCreateEventFromGLsyncKHR"));
     }
 }
 

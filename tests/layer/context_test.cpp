@@ -17,7 +17,7 @@ class GlContexts : public ::testing::TestWithParam<Where> {
 protected:
     GlWindow window{GetParam().binding};
     cl::Device device = device_named(GetParam().implementation);
-    cl::Platform platform{device.getInfo<CL_DEVICE_PLATFORM>(), true};
+    cl::Platform platform = platform_of(device);
     cl_context_properties platform_value = reinterpret_cast<cl_context_properties>(platform());
 
     cl_int code_of_create(const Properties &properties) const {
@@ -165,8 +165,8 @@ TEST_P(GlContexts, KnowTheirDevices) {
     const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
         clGetExtensionFunctionAddressForPlatform(platform(), "clGetGLContextInfoKHR"));
     ASSERT_NE(get_info, nullptr);
-    for (const cl_gl_context_info name :
-         {CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, CL_DEVICES_FOR_GL_CONTEXT_KHR}) {
+    for (const auto name : std::initializer_list<cl_gl_context_info>{
+             CL_CURRENT_DEVICE_FOR_GL_CONTEXT_KHR, CL_DEVICES_FOR_GL_CONTEXT_KHR}) {
         cl_device_id found = nullptr;
         std::size_t size = 0;
         EXPECT_EQ(get_info(properties.data(), name, sizeof(found), &found, &size), CL_SUCCESS);

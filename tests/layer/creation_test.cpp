@@ -27,15 +27,17 @@ TEST_P(Creation, NeedsATexture) {
 TEST_P(Creation, KnowsItsTargetsAndFlags) {
     const Sharing sharing(GetParam());
     const GLuint texture = make_texture(4, 4, {});
-    for (const GLenum target : {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D_MULTISAMPLE, GL_NONE}) {
+    for (const auto target :
+         std::initializer_list<GLenum>{GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D_MULTISAMPLE, GL_NONE}) {
         EXPECT_EQ(sharing.make(texture, target), refused(CL_INVALID_VALUE));
     }
     EXPECT_EQ(sharing.make(texture, GL_TEXTURE_BUFFER), refused(CL_INVALID_OPERATION));
-    for (const cl_mem_flags flags :
-         {CL_MEM_USE_HOST_PTR, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR}) {
+    for (const auto flags : std::initializer_list<cl_mem_flags>{
+             CL_MEM_USE_HOST_PTR, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR}) {
         EXPECT_EQ(sharing.make(texture, GL_TEXTURE_2D, 0, flags), refused(CL_INVALID_VALUE));
     }
-    for (const cl_mem_flags flags : {CL_MEM_READ_ONLY, CL_MEM_WRITE_ONLY, CL_MEM_READ_WRITE, 0}) {
+    for (const auto flags : std::initializer_list<cl_mem_flags>{CL_MEM_READ_ONLY, CL_MEM_WRITE_ONLY,
+                                                                CL_MEM_READ_WRITE, 0}) {
         const auto [made, code] = sharing.make(texture, GL_TEXTURE_2D, 0, flags);
         EXPECT_EQ(code, CL_SUCCESS);
         clReleaseMemObject(made);

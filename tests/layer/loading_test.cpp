@@ -44,7 +44,7 @@ STAGELIGHT_ON_EACH(Loading);
 
 TEST_P(Loading, NamesTheExtensionsAndSaysThatItCopies) {
     const cl::Device device = device_named(GetParam());
-    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>(), true);
+    const cl::Platform platform = platform_of(device);
     for (const char *name : {"cl_khr_gl_sharing", "cl_khr_gl_event"}) {
         EXPECT_TRUE(has_word(device.getInfo<CL_DEVICE_EXTENSIONS>(), name)) << name;
         EXPECT_TRUE(has_word(platform.getInfo<CL_PLATFORM_EXTENSIONS>(), name)) << name;
@@ -58,7 +58,7 @@ TEST_P(Loading, NamesThemWithVersionsOnce) {
     const auto of_device = versioned([&](std::size_t size, void *value, std::size_t *size_ret) {
         return clGetDeviceInfo(device(), extensions_with_version, size, value, size_ret);
     });
-    const cl_platform_id platform = device.getInfo<CL_DEVICE_PLATFORM>();
+    const cl_platform_id platform = platform_of(device)();
     const auto of_platform = versioned([&](std::size_t size, void *value, std::size_t *size_ret) {
         return clGetPlatformInfo(platform, platform_extensions_with_version, size, value, size_ret);
     });
@@ -80,7 +80,7 @@ TEST_P(Loading, TellsTheRoomThatAnAnswerNeeds) {
 }
 
 TEST_P(Loading, FunctionsAreFoundByName) {
-    const cl_platform_id platform = device_named(GetParam()).getInfo<CL_DEVICE_PLATFORM>();
+    const cl_platform_id platform = platform_of(device_named(GetParam()))();
     for (const char *name :
          {"clGetGLContextInfoKHR", "clCreateFromGLBuffer", "clCreateFromGLTexture",
           "clCreateFromGLTexture2D", "clCreateFromGLTexture3D", "clCreateFromGLRenderbuffer",

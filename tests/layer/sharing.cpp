@@ -40,8 +40,7 @@ cl::Device device_named(const std::string &part) {
 }
 
 Sharing::Sharing(const std::string &implementation, GlWindow::Binding binding)
-    : window(binding), device(device_named(implementation)),
-      platform(device.getInfo<CL_DEVICE_PLATFORM>(), true),
+    : window(binding), device(device_named(implementation)), platform(platform_of(device)),
       context(device, window.properties(platform).data()), queue(context, device) {}
 
 Made Sharing::make(GLuint texture, GLenum target, GLint level, cl_mem_flags flags) const {

@@ -71,7 +71,7 @@ bool has_buffers() {
 TEST_P(Threads, LeaveNoBufferInOpenGL) {
     const GlWindow window(Binding::glx);
     const cl::Device device = device_named(GetParam());
-    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>(), true);
+    const cl::Platform platform = platform_of(device);
     EXPECT_FALSE(has_buffers());
     {
         const cl::Context context(device, window.properties(platform).data());

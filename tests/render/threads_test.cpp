@@ -29,7 +29,7 @@ std::set<std::string> cores_of_kept_threads() {
 
 TEST(RenderStage01Threads, StayEachOnACoreOfItsOwn) {
     const cl::Device device = choose_device(implementations.front());
-    const cl::Platform platform(device.getInfo<CL_DEVICE_PLATFORM>());
+    const cl::Platform platform = platform_of(device);
     if (platform.getInfo<CL_PLATFORM_NAME>() != "Portable Computing Language") {
         GTEST_SKIP() << "not PoCL";
     }
