@@ -39,7 +39,7 @@ private:
 }  // namespace
 
 Assimp::IOStream *CheckedFiles::Open(const char *file, const char *mode) {
-    std::unique_ptr<Assimp::IOStream> opened(DefaultIOSystem::Open(file, mode));
+    std::unique_ptr<Assimp::IOStream> opened(files_.Open(file, mode));
     return opened ? new CheckedStream(std::move(opened), has_failed_) : nullptr;
 }
 

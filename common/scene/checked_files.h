@@ -6,14 +6,21 @@
 namespace stagelight {
 
 // Files for Assimp, some of whose readers take what a failing disk has given for all there is.
-class CheckedFiles : public Assimp::DefaultIOSystem {
+class CheckedFiles : public Assimp::IOSystem {
 public:
     // Sets `has_failed` when a read gives less than the file has.
     explicit CheckedFiles(bool &has_failed) : has_failed_(has_failed) {}
 
+    bool Exists(const char *file) const override { return files_.Exists(file); }
+    char getOsSeparator() const override { return files_.getOsSeparator(); }
     Assimp::IOStream *Open(const char *file, const char *mode) override;
+    void Close(Assimp::IOStream *file) override { files_.Close(file); }
+    bool ComparePaths(const char *one, const char *second) const override {
+        return files_.ComparePaths(one, second);
+    }
 
 private:
+    Assimp::DefaultIOSystem files_;  // not a base: Assimp 6 has it final
     bool &has_failed_;
 };
 
