@@ -2,6 +2,7 @@
 #include "display/screen.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "device/kernel_source.h"
 #include "display/gl.h"

@@ -113,6 +113,7 @@ template <typename Show> void measure(benchmark::State &state, const Show &show)
         try {
             frames = show();
         } catch (const RungLost &lost) {
+            state.SetLabel(lost.what());  // the field of the next one has had two names
             state.SkipWithError(lost.what());
             return;
         }
@@ -132,8 +133,8 @@ public:
         say(fmt::format("\n{:<22} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9}", "milliseconds", "a frame",
                         "render", "present", "overlap", "cost", "frames/s"));
         for (const auto &[name, runs] : this->runs()) {
-            if (runs.front().error_occurred) {
-                say(fmt::format("{:<22} not here: {}", name, runs.front().error_message));
+            if (const std::string &lost = runs.front().report_label; !lost.empty()) {
+                say(fmt::format("{:<22} not here: {}", name, lost));
                 continue;
             }
             const double whole =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // --kernels: the kernels of a checkout on disk, for work on them.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
-#include <glm/gtx/string_cast.hpp>
 #include <gtest/gtest.h>
 
 #include "scene/import.h"
@@ -21,7 +21,8 @@ testing::AssertionResult is_near(const glm::dvec3 &actual, const glm::dvec3 &exp
         return testing::AssertionSuccess();
     }
     return testing::AssertionFailure()
-           << "expected " << glm::to_string(expected) << ", got " << glm::to_string(actual);
+           << fmt::format("expected {} {} {}, got {} {} {}", expected.x, expected.y, expected.z,
+                          actual.x, actual.y, actual.z);
 }
 
 const Vertex &corner(const Scene &scene, std::size_t triangle, std::size_t i) {
