@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One picture, decoded by FreeImage.
+// One picture, decoded and checked.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures read with FreeImage, each once.
+// Pictures, each read once.
 #pragma once
 
 #include <cstdint>

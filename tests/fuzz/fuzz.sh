@@ -62,7 +62,7 @@ done
 [[ $input != scene ]] || sed -i 's/^file = .*/file = "cube.obj"/' "$seeds"/*
 
 # What a library gets wrong in sight of AddressSanitizer is not its finding.
-printf 'interceptor_via_lib:%s\n' libassimp libfreeimage >"$scratch/suppressions"
+printf 'interceptor_via_lib:%s\n' libassimp libfreeimage libstb >"$scratch/suppressions"
 export ASAN_OPTIONS=suppressions=$scratch/suppressions:log_path=$findings/sanitizer-$input:quarantine_size_mb=8
 export STAGELIGHT_ASSETS=$root/scenes TMPDIR=$scratch/tmp
 # The time is longer than run_apart lets a reader take and wait, and an allocation may be of any size: it

@@ -16,7 +16,7 @@ namespace stagelight {
 namespace {
 
 constexpr std::string_view camera = "[camera]\nposition = [0, 1, 4]\nlook_at = [0, 0.5, 0]\n";
-constexpr std::string_view red_picture = "P3 1 1 255 255 0 0\n";
+constexpr std::string_view red_picture("P6 1 1 255 \xff\0\0", 14);
 constexpr std::string_view triangle =
     "v 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
 

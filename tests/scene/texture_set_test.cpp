@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <functional>
 #include <iterator>
-#include <memory>
 #include <ostream>
 
-#include <FreeImage.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "scene/messages.h"
 #include "scene/temporary_folder.h"
@@ -23,7 +25,8 @@ const SourceLocation here{"scene.toml", 7, 11};
 const fs::path scenes = STAGELIGHT_SOURCE_DIR "/scenes";
 
 using Texel = std::array<int, 4>;
-using Bitmap = std::shared_ptr<FIBITMAP>;
+using Bytes = std::vector<std::uint8_t>;
+using Attributes = std::vector<std::pair<const char *, const char *>>;  // of OpenImageIO
 
 Texture loaded(const fs::path &file) {
     std::vector<Texture> textures;
@@ -41,29 +44,45 @@ std::string bytes_of(const fs::path &file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// A 20 x 10 picture, red to the right and green down, with runs of two texels.
-Bitmap ramps() {
-    const Bitmap bitmap(FreeImage_Allocate(20, 10, 24), FreeImage_Unload);
-    for (unsigned y = 0; y < 10; ++y) {
-        for (unsigned x = 0; x < 20; ++x) {
-            RGBQUAD color{};
-            color.rgbRed = static_cast<BYTE>(24 * (x / 2));
-            color.rgbGreen = static_cast<BYTE>(25 * (9 - y));  // row 0 is FreeImage's lowest
-            color.rgbBlue = 77;
-            FreeImage_SetPixelColor(bitmap.get(), x, y, &color);
-        }
-    }
-    return bitmap;
+std::string big_endian(std::uint32_t value) {
+    return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
+            static_cast<char>(value >> 8), static_cast<char>(value)};
 }
 
-Bitmap converted(FIBITMAP *(*convert)(FIBITMAP *)) {
-    return {convert(ramps().get()), FreeImage_Unload};
+constexpr int ramps_width = 20;
+constexpr int ramps_height = 10;
+
+// Red to the right and green down, with runs of two texels.
+Texel ramps(int x, int y) {
+    return {24 * (x / 2), 25 * y, 77, 255};
+}
+
+Bytes rgb_of_ramps() {
+    Bytes rgb;
+    for (int y = 0; y < ramps_height; ++y) {
+        for (int x = 0; x < ramps_width; ++x) {
+            const Texel texel = ramps(x, y);
+            std::copy_n(texel.begin(), 3, std::back_inserter(rgb));
+        }
+    }
+    return rgb;
+}
+
+// The ramps, in the format that goes by the file's name.
+void write_ramps(const fs::path &file, const Attributes &attributes = {}) {
+    OIIO::ImageSpec spec(ramps_width, ramps_height, 3, OIIO::TypeDesc::UINT8);
+    for (const auto &[name, value] : attributes) {
+        spec.attribute(name, value);
+    }
+    const auto out = OIIO::ImageOutput::create(file.string());
+    ASSERT_TRUE(out && out->open(file.string(), spec)
+                && out->write_image(OIIO::TypeDesc::UINT8, rgb_of_ramps().data()) && out->close())
+        << OIIO::geterror();
 }
 
 struct Format {
-    FREE_IMAGE_FORMAT format;
-    int flags;
     const char *name;
+    Attributes attributes = {};
     int tolerance = 0;
 };
 
@@ -71,12 +90,19 @@ void PrintTo(const Format &format, std::ostream *out) {
     *out << format.name;
 }
 
+// Where its texels end: its footer of 26 bytes starts with where the areas after them do.
+std::size_t end_of_tga(const std::string &tga) {
+    const auto byte = [&](std::size_t i) {
+        return static_cast<unsigned char>(tga[tga.size() - 26 + i]);
+    };
+    return byte(0) + 256U * byte(1);
+}
+
 class TextureFormat : public testing::TestWithParam<Format> {
 protected:
     fs::path write() const {
         fs::path file = folder.path() / GetParam().name;
-        EXPECT_TRUE(
-            FreeImage_Save(GetParam().format, ramps().get(), file.c_str(), GetParam().flags));
+        write_ramps(file, GetParam().attributes);
         return file;
     }
 
@@ -85,12 +111,12 @@ protected:
 
 TEST_P(TextureFormat, HasRedRightAndGreenDown) {
     const Texture texture = loaded(write());
-    ASSERT_EQ(texture.width, 20);
-    ASSERT_EQ(texture.height, 10);
+    ASSERT_EQ(texture.width, ramps_width);
+    ASSERT_EQ(texture.height, ramps_height);
     ASSERT_EQ(texture.texels.size(), 800U);
     for (const auto &[x, y] :
          {std::pair(0, 0), std::pair(19, 0), std::pair(0, 9), std::pair(7, 4)}) {
-        const Texel expected{24 * (x / 2), 25 * y, 77, 255};
+        const Texel expected = ramps(x, y);
         for (std::size_t c = 0; c < 4; ++c) {
             EXPECT_NEAR(texel(texture, x, y)[c], expected[c], GetParam().tolerance)
                 << "channel " << c << " at " << x << ", " << y;
@@ -100,8 +126,8 @@ TEST_P(TextureFormat, HasRedRightAndGreenDown) {
 
 TEST_P(TextureFormat, IsRefusedWhereverItIsCutShort) {
     const std::string whole = bytes_of(write());
-    // A TGA ends in a footer of 26 bytes that no texel lies in.
-    const std::size_t end = whole.size() - (GetParam().format == FIF_TARGA ? 26 : 0);
+    const std::size_t end =
+        std::string(GetParam().name).ends_with(".tga") ? end_of_tga(whole) : whole.size();
     for (std::size_t length = 0; length < end; length += length + 20 < end ? 7 : 1) {
         std::vector<Texture> textures;
         const fs::path file = folder.write("cut", whole.substr(0, length));
@@ -113,76 +139,169 @@ TEST_P(TextureFormat, IsRefusedWhereverItIsCutShort) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    TextureSet, TextureFormat,
-    testing::Values(Format{FIF_PNG, 0, "a.png"}, Format{FIF_PNG, PNG_INTERLACED, "interlaced.png"},
-                    Format{FIF_JPEG, JPEG_QUALITYSUPERB | JPEG_SUBSAMPLING_444, "a.jpg", 6},
-                    Format{FIF_BMP, 0, "a.bmp"}, Format{FIF_TARGA, 0, "a.tga"},
-                    Format{FIF_TARGA, TARGA_SAVE_RLE, "runs.tga"},
-                    Format{FIF_WEBP, WEBP_LOSSLESS, "a.webp"}, Format{FIF_PPM, 0, "a.ppm"}));
-
-struct Depth {
-    const char *name;
-    Bitmap bitmap;
-    std::array<Texel, 3> expected;  // at (0, 0), (19, 0) and (0, 9)
-};
-
-TEST(TextureSet, ReadsEveryDepthOfPng) {
-    const auto grey = [](int value) { return Texel{value, value, value, 255}; };
-    // 0.2126 red + 0.7152 green + 0.0722 blue, as FreeImage has it.
-    const std::array greys{grey(6), grey(51), grey(166)};
-    const std::array colors{Texel{0, 0, 77, 255}, Texel{216, 0, 77, 255}, Texel{0, 225, 77, 255}};
-    const auto black_or_white = [](FIBITMAP *bitmap) { return FreeImage_Threshold(bitmap, 50); };
-    const Bitmap clear = converted(FreeImage_ConvertTo32Bits);
-    RGBQUAD half{77, 0, 0, 128};
-    FreeImage_SetPixelColor(clear.get(), 0, 9, &half);
-    const std::vector<Depth> depths{
-        {"grey", converted(FreeImage_ConvertToGreyscale), greys},
-        {"grey16", converted(FreeImage_ConvertToUINT16), greys},
-        {"rgb16", converted(FreeImage_ConvertToRGB16), colors},
-        {"rgba16", converted(FreeImage_ConvertToRGBA16), colors},
-        {"one bit", converted(black_or_white), {grey(0), grey(255), grey(255)}},
-        {"alpha", clear, {Texel{0, 0, 77, 128}, colors[1], colors[2]}}};
-    const TemporaryFolder folder;
-    for (const Depth &depth : depths) {
-        SCOPED_TRACE(depth.name);
-        const fs::path file = folder.path() / depth.name;
-        ASSERT_TRUE(FreeImage_Save(FIF_PNG, depth.bitmap.get(), file.c_str()));
-        const Texture texture = loaded(file);
-        EXPECT_EQ(texel(texture, 0, 0), depth.expected[0]);
-        EXPECT_EQ(texel(texture, 19, 0), depth.expected[1]);
-        EXPECT_EQ(texel(texture, 0, 9), depth.expected[2]);
+std::vector<Format> formats() {
+    std::vector<Format> formats{
+        {"a.png"},
+        {"a.jpg", {{"compression", "jpeg:100"}, {"jpeg:subsampling", "4:4:4"}}, 6},
+        {"a.bmp"},
+        {"a.tga"},
+        {"runs.tga", {{"compression", "rle"}}},
+        {"a.ppm"}};
+    if (STAGELIGHT_FREEIMAGE) {
+        formats.push_back({"a.webp", {{"compression", "webp:100"}}, 12});
     }
+    return formats;
 }
 
-TEST(TextureSet, ReadsAPalette) {
-    const Bitmap bitmap(FreeImage_Allocate(3, 2, 8), FreeImage_Unload);
-    RGBQUAD *palette = FreeImage_GetPalette(bitmap.get());
-    palette[5] = {30, 20, 10, 0};
-    BYTE index = 5;
-    FreeImage_SetPixelIndex(bitmap.get(), 2, 1, &index);
-    const TemporaryFolder folder;
-    const fs::path file = folder.path() / "palette.png";
-    ASSERT_TRUE(FreeImage_Save(FIF_PNG, bitmap.get(), file.c_str()));
-    EXPECT_EQ(texel(loaded(file), 2, 0), (Texel{10, 20, 30, 255}));
-}
-
-std::string big_endian(std::uint32_t value) {
-    return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
-            static_cast<char>(value >> 8), static_cast<char>(value)};
-}
+INSTANTIATE_TEST_SUITE_P(TextureSet, TextureFormat, testing::ValuesIn(formats()));
 
 // PNG specification, section 5.3: length, type, data, check sum of the last two.
 std::string png_chunk(const std::string &type, const std::string &data) {
-    std::string checked = type + data;
-    const auto *bytes = reinterpret_cast<BYTE *>(checked.data());
+    const std::string checked = type + data;
+    const auto *bytes = reinterpret_cast<const Bytef *>(checked.data());
     return big_endian(static_cast<std::uint32_t>(data.size())) + checked
-           + big_endian(FreeImage_ZLibCRC32(0, const_cast<BYTE *>(bytes),
-                                            static_cast<DWORD>(checked.size())));
+           + big_endian(static_cast<std::uint32_t>(crc32(0, bytes, uInt(checked.size()))));
 }
 
 constexpr std::size_t png_signature = 8;
 constexpr std::size_t png_header = 25;  // with length, type and check sum
+
+struct Png {
+    const char *name;
+    int bits;
+    int color_type;
+    std::function<std::vector<int>(int x, int y)> values;  // of the channels
+    std::array<Texel, 3> expected;                         // at (0, 0), (19, 0) and (0, 9)
+    bool is_interlaced = false;
+    std::string palette = {};
+};
+
+// Row by row, each from a whole byte on, with the filter 0 before it.
+std::string rows_of(const Png &png, int first_x, int first_y, int step_x, int step_y) {
+    std::string rows;
+    for (int y = first_y; y < ramps_height && first_x < ramps_width; y += step_y) {
+        rows += '\0';
+        unsigned bits = 0;
+        int count = 0;
+        for (int x = first_x; x < ramps_width; x += step_x) {
+            for (const int value : png.values(x, y)) {
+                bits = bits << png.bits | static_cast<unsigned>(value);
+                for (count += png.bits; count >= 8; count -= 8) {
+                    rows += static_cast<char>(bits >> (count - 8));
+                }
+            }
+        }
+        if (count > 0) {
+            rows += static_cast<char>(bits << (8 - count));
+        }
+    }
+    return rows;
+}
+
+std::string bytes_of(const Png &png) {
+    std::string rows;
+    if (png.is_interlaced) {  // section 8.2
+        for (const auto &[x, y, step_x, step_y] : {std::array{0, 0, 8, 8},
+                                                   {4, 0, 8, 8},
+                                                   {0, 4, 4, 8},
+                                                   {2, 0, 4, 4},
+                                                   {0, 2, 2, 4},
+                                                   {1, 0, 2, 2},
+                                                   {0, 1, 1, 2}}) {
+            rows += rows_of(png, x, y, step_x, step_y);
+        }
+    } else {
+        rows = rows_of(png, 0, 0, 1, 1);
+    }
+    uLongf size = compressBound(rows.size());
+    std::string data(size, '\0');
+    compress(reinterpret_cast<Bytef *>(data.data()), &size,
+             reinterpret_cast<const Bytef *>(rows.data()), rows.size());
+    data.resize(size);
+    return "\x89PNG\r\n\x1a\n"
+           + png_chunk("IHDR", big_endian(ramps_width) + big_endian(ramps_height)
+                                   + std::string{char(png.bits), char(png.color_type), 0, 0,
+                                                 char(png.is_interlaced)})
+           + (png.palette.empty() ? "" : png_chunk("PLTE", png.palette)) + png_chunk("IDAT", data)
+           + png_chunk("IEND", "");
+}
+
+TEST(TextureSet, ReadsEveryKindOfPng) {
+    const auto grey = [](int value) { return Texel{value, value, value, 255}; };
+    const std::array greys{grey(3), grey(22), grey(228)};
+    const std::array colors{ramps(0, 0), ramps(19, 0), ramps(0, 9)};
+    const auto grey_value = [](int x, int y) { return 3 + x + 25 * y; };
+    const auto rgb = [](int x, int y) {
+        const Texel t = ramps(x, y);
+        return std::vector{t[0], t[1], t[2]};
+    };
+    // The lower 8 bits of 16 are dropped, not rounded.
+    const auto rgb16 = [](int x, int y) {
+        const Texel t = ramps(x, y);
+        return std::vector{t[0] * 256 + 255, t[1] * 256 + 128, t[2] * 256};
+    };
+    const std::vector<Png> kinds{
+        {"grey", 8, 0, [&](int x, int y) { return std::vector{grey_value(x, y)}; }, greys},
+        {"grey of 1 bit",
+         1,
+         0,
+         [](int x, int y) { return std::vector{int(x > 0 || y > 0)}; },
+         {grey(0), grey(255), grey(255)}},
+        {"grey of 4 bits",
+         4,
+         0,
+         [](int x, int y) {
+             return std::vector{x > 0 ? 7 : y > 0 ? 15 : 1};
+         },
+         {grey(17), grey(119), grey(255)}},
+        {"grey of 16 bits", 16, 0,
+         [&](int x, int y) { return std::vector{grey_value(x, y) * 256 + 255}; }, greys},
+        {"grey and alpha",
+         8,
+         4,
+         [&](int x, int y) {
+             return std::vector{grey_value(x, y), 255 - y};
+         },
+         {greys[0], greys[1], Texel{228, 228, 228, 246}}},
+        {"colors", 8, 2, rgb, colors},
+        {"colors, interlaced", 8, 2, rgb, colors, true},
+        {"colors of 16 bits", 16, 2, rgb16, colors},
+        {"colors and alpha",
+         8,
+         6,
+         [&](int x, int y) {
+             std::vector<int> values = rgb(x, y);
+             values.push_back(128 + x);
+             return values;
+         },
+         {Texel{0, 0, 77, 128}, Texel{216, 0, 77, 147}, Texel{0, 225, 77, 128}}},
+        {"colors and alpha of 16 bits",
+         16,
+         6,
+         [&](int x, int y) {
+             std::vector<int> values = rgb16(x, y);
+             values.push_back(128 * 256 + 255 + 256 * x);
+             return values;
+         },
+         {Texel{0, 0, 77, 128}, Texel{216, 0, 77, 147}, Texel{0, 225, 77, 128}}},
+        {"palette",
+         2,
+         3,
+         [](int x, int y) {
+             return std::vector{x > 0 ? 1 : y > 0 ? 2 : 0};
+         },
+         {Texel{10, 20, 30, 255}, Texel{40, 50, 60, 255}, Texel{70, 80, 90, 255}},
+         false,
+         "\x0a\x14\x1e\x28\x32\x3c\x46\x50\x5a"}};
+    const TemporaryFolder folder;
+    for (const Png &png : kinds) {
+        SCOPED_TRACE(png.name);
+        const Texture texture = loaded(folder.write(png.name, bytes_of(png)));
+        EXPECT_EQ(texel(texture, 0, 0), png.expected[0]);
+        EXPECT_EQ(texel(texture, 19, 0), png.expected[1]);
+        EXPECT_EQ(texel(texture, 0, 9), png.expected[2]);
+    }
+}
 
 TEST(TextureSet, KeepsTexelsAsTheFileHasThemDespiteItsGamma) {
     std::string png = bytes_of(scenes / "checker.png");
@@ -243,8 +362,31 @@ TEST(TextureSet, RefusesWhatIsNoPicture) {
 TEST(TextureSet, RefusesPicturesOfFloats) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "a.hdr";
-    ASSERT_TRUE(FreeImage_Save(FIF_HDR, converted(FreeImage_ConvertToRGBF).get(), file.c_str()));
+    write_ramps(file);
     expect_refusal(file, "not a picture that can be read");
+}
+
+TEST(TextureSet, NamesWhatOnlyFreeImageReads) {
+    const TemporaryFolder folder;
+    const fs::path webp = folder.path() / "a.webp";
+    write_ramps(webp);
+    const fs::path text = folder.write("a.pgm", "P2 1 1 255 40\n");
+    const fs::path large = folder.write("b.pgm", "P5 # the\n 1\n# size\n1 15\n\3");
+    if (STAGELIGHT_FREEIMAGE) {
+        EXPECT_EQ(loaded(webp).width, ramps_width);
+        EXPECT_EQ(texel(loaded(text), 0, 0), (Texel{40, 40, 40, 255}));
+        EXPECT_EQ(texel(loaded(large), 0, 0), (Texel{51, 51, 51, 255}));
+    } else {
+        for (const auto &[file, format] : {std::pair(webp, "WebP"),
+                                           {text, "PGM as text"},
+                                           {large, "PNM whose largest value is not 255"}}) {
+            std::vector<Texture> textures;
+            EXPECT_EQ(message_of([&] { load_texture(textures, file, here); }),
+                      fmt::format("scene.toml:7:11: {} can't be read: this build reads no {}: "
+                                  "FreeImage is not on this system; convert the picture to PNG",
+                                  file.string(), format));
+        }
+    }
 }
 
 // A PNG that says it is this large, and has no texels: only a header is to be read.
