@@ -72,7 +72,7 @@ class WholeFile : public InFolder {};
 TEST_F(WholeFile, FullDiskLeavesTheOldPictureAndNothingElse) {
     for (const char *name : {"a.png", "a.exr"}) {
         const Path file = folder / name;
-        for (const rlim_t limit : {0, 100, 1000, 4096, 20000, 40000}) {
+        for (const rlim_t limit : {0U, 100U, 1000U, 4096U, 20000U, 40000U}) {
             write_bytes(file, "the old picture");
             {
                 const FullDisk full(limit);
