@@ -381,7 +381,7 @@ TEST(TextureSet, NamesWhatOnlyFreeImageReads) {
                                            {text, "PGM as text"},
                                            {large, "PNM whose largest value is not 255"}}) {
             std::vector<Texture> textures;
-            EXPECT_EQ(message_of([&] { load_texture(textures, file, here); }),
+            EXPECT_EQ(message_of([&, &picture = file] { load_texture(textures, picture, here); }),
                       fmt::format("scene.toml:7:11: {} can't be read: this build reads no {}: "
                                   "FreeImage is not on this system; convert the picture to PNG",
                                   file.string(), format));
