@@ -19,7 +19,8 @@ __kernel void enter_all_ways(__global int *enters, __global const float4 *origin
     Boxes at;
     const bool alone = any_lane(enter_box(&nodes[i], 0, &slabs, rays[0].limit));
     const bool in_beam = enter_boxes(&nodes[i], &beam, INFINITY, &at) & 1;
-    enters[i] = alone && in_beam && (packets_in(&nodes[i], 0, &beam, limits) & 1);
+    // Not by &&: LLVM 19, in PoCL 6.0, ends the process over a condition that a packet's constant 1 closes.
+    enters[i] = alone & in_beam & packets_in(&nodes[i], 0, &beam, limits);
 }
 
 #define RAYS (PACKETS * WIDTH)
