@@ -2,6 +2,7 @@
 #include "layer/sharing.h"
 
 #include <algorithm>
+#include <cctype>
 #include <random>
 #include <stdexcept>
 
@@ -15,6 +16,11 @@ cl::Memory wrapped(Made made) {
     return cl::Memory(made.first, false);
 }
 
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
 }  // namespace
 
 Bytes random_bytes(std::size_t count, unsigned seed) {
@@ -24,6 +30,7 @@ Bytes random_bytes(std::size_t count, unsigned seed) {
     return bytes;
 }
 
+// By a part of what --list-devices says, upper and lower case alike.
 cl::Device device_named(const std::string &part) {
     std::vector<cl::Platform> platforms;
     cl::Platform::get(&platforms);
@@ -31,12 +38,15 @@ cl::Device device_named(const std::string &part) {
         cl_device_id device = nullptr;
         if (clGetDeviceIDs(platform(), CL_DEVICE_TYPE_ALL, 1, &device, nullptr) == CL_SUCCESS) {
             cl::Device found(device, true);
-            if (found.getInfo<CL_DEVICE_NAME>().find(part) != std::string::npos) {
+            const std::string description = found.getInfo<CL_DEVICE_NAME>() + ' '
+                                            + platform.getInfo<CL_PLATFORM_NAME>() + ' '
+                                            + found.getInfo<CL_DEVICE_VERSION>();
+            if (lower(description).find(lower(part)) != std::string::npos) {
                 return found;
             }
         }
     }
-    throw std::runtime_error("no OpenCL device whose name has " + part);
+    throw std::runtime_error("no OpenCL device of the name " + part);
 }
 
 Sharing::Sharing(const std::string &implementation, GlWindow::Binding binding)
