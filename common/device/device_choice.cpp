@@ -198,7 +198,7 @@ std::vector<cl::Device> devices_to_try(const std::string &spec, bool needs_image
     if (devices.empty()) {
         throw MachineError(no_device_remedy);
     }
-    std::ranges::stable_partition(devices, is_gpu);
+    std::stable_partition(devices.begin(), devices.end(), is_gpu);
     return devices;
 }
 

@@ -100,8 +100,8 @@ std::vector<cl::Device> devices_to_share(const std::string &spec, ContextApi api
                                          bool needs_images) {
     std::vector<cl::Device> devices = devices_to_try(spec, needs_images);
     if (const std::optional<cl::Device> sharing = device_of_gl_context(api)) {
-        std::ranges::stable_partition(
-            devices, [&](const cl::Device &device) { return device() == (*sharing)(); });
+        std::stable_partition(devices.begin(), devices.end(),
+                              [&](const cl::Device &device) { return device() == (*sharing)(); });
     }
     return devices;
 }
