@@ -19,7 +19,12 @@
 namespace stagelight {
 namespace {
 
-const std::string language = "-cl-std=CL1.2";
+// Images are part of OpenCL C 1.2, but the header of LLVM 21 (in PoCL 7.1) declares their functions
+// only where the name of a feature of OpenCL C 3.0 is defined.
+std::string language_of(const cl::Device &device) {
+    const bool has_images = device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_TRUE;
+    return std::string("-cl-std=CL1.2") + (has_images ? " -D __opencl_c_images=1" : "");
+}
 
 // To cover `pixels` by blocks, in whole groups.
 std::size_t work_items(int pixels, int block, std::size_t group) {
@@ -127,7 +132,7 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
 
 std::string build_options(const cl::Device &device, const SceneNeeds &needs,
                           const Methods &methods) {
-    std::string options = language + " -cl-kernel-arg-info";
+    std::string options = language_of(device) + " -cl-kernel-arg-info";
     if (is_double(methods) && !has_extension(device, "cl_khr_fp64")) {
         throw DeviceError(fmt::format("--method math=fp64: {} has no cl_khr_fp64; choose another "
                                       "device (--list-devices), or math=strict",
@@ -223,7 +228,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         const bool from_disk = named_kernels(settings.kernels).has_value();
         kernel_ = render_kernel(build_program(context, source, options_, from_disk), from_disk);
         if (samples_ > 1) {
-            mean_.emplace(context, language + writes, settings.kernels);
+            mean_.emplace(context, language_of(device) + writes, settings.kernels);
         }
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
