@@ -48,6 +48,7 @@ done
 
 checkout=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../..")
 system=$(mktemp -d -t "stagelight_$release.XXXXXX")
+chmod 755 "$system" # tests leave root, and must still find the way to their files
 # A folder that is still mounted would be emptied with the rest.
 clean_up() {
     local folder
