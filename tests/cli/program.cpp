@@ -69,13 +69,14 @@ std::vector<std::string> environment_of(const Start &start) {
     return environment;
 }
 
-// Without what rusticl says while it builds a kernel that its cache has not yet; it is no concern
-// of the program's.
+// Without what rusticl says while it builds a kernel that its cache has not yet, and the count that
+// newer versions of PoCL leave of Clang's warnings: no concern of the program's.
 std::string without_drivers_words(const std::string &text) {
     std::istringstream lines(text);
     std::string rest;
     for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("MESA: warning: Treating load_kernel_arg")) {
+        if (!line.starts_with("MESA: warning: Treating load_kernel_arg")
+            && !line.ends_with(" warnings generated.") && !line.ends_with(" warning generated.")) {
             rest += line + '\n';
         }
     }
