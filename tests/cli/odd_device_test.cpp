@@ -14,11 +14,11 @@ const std::string scenes = std::string(STAGELIGHT_SOURCE_DIR) + "/scenes/";
 class OddDevice : public Cli {
 protected:
     Outcome draw(const std::string &stage, const std::string &odd,
-                 std::vector<std::string> arguments) const {
+                 std::vector<std::string> arguments, const std::string &device = "llvmpipe") const {
         arguments.insert(arguments.end(), {"--size", small, "--out", "a.exr"});
         return run(stage, Start{arguments,
                                 {"LD_PRELOAD=" STAGELIGHT_FAULTS, "RUSTICL_ENABLE=llvmpipe",
-                                 "STAGELIGHT_ODD_DEVICE=" + odd + ":llvmpipe",
+                                 "STAGELIGHT_ODD_DEVICE=" + odd + ":" + device,
                                  "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0"}});
     }
     static std::string first_line(const std::string &text) {
@@ -84,12 +84,13 @@ TEST_F(Stage01OddDevice, ThatDoesNotBuildEndsWhereItWasAskedFor) {
     EXPECT_EQ(files(), std::vector<std::string>{});
 }
 
+// Every device says that it is one: rusticl takes a minute and more to build packets.
 TEST_F(Stage09OddDevice, AGpuWarnsOfWidePackets) {
     const Outcome outcome =
-        draw("09_acceleration", "gpu", {scenes + "02_lights.toml", "--method", "width=4"});
+        draw("09_acceleration", "gpu", {scenes + "02_lights.toml", "--method", "width=4"}, "");
     EXPECT_EQ(outcome.code, 0) << outcome;
-    EXPECT_NE(first_line(outcome.out).find("llvmpipe"), std::string::npos) << outcome;
-    EXPECT_TRUE(outcome.err.starts_with("warning: --method width=4: llvmpipe")) << outcome;
+    EXPECT_TRUE(outcome.err.starts_with("warning: --method width=4: ")) << outcome;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome;
 }
 
 // A driver that has no names of arguments, and one that takes small work-groups alone.
