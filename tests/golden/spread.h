@@ -15,7 +15,7 @@ struct Needed {
     std::string key;    // "strays"
     double bound = 0;
     double needed = 0;
-    std::string by;  // the picture: "04_interior, pthread, math=mad"
+    std::string by;  // the picture: "04_interior, pocl, math=mad"
 };
 
 // More than five times what is needed: an error that large would pass. What no picture needs is not
