@@ -5,71 +5,53 @@
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"
-#if TRIANGLE_COUNT > 0
 #include "triangle.cl"
-#endif
 
 // #region any_hit
-#if HAS_DIRECTIONAL_LIGHT
 static bool any_hit_ray(const Scene *scene, const Ray ray) {
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         if (intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius) < INFINITY) {
             return true;
         }
     }
-#endif
-#if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
+    for (int i = 0; i < scene->plane_count; ++i) {
         const Plane plane = scene->planes[i];
         if (intersect_ray_plane(ray, XYZ(plane.normal), plane.offset) < INFINITY) {
             return true;
         }
     }
-#endif
-#if TRIANGLE_COUNT > 0
     // #region ray_any_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+    for (int i = 0; i < scene->triangle_count; ++i) {
         float2 barycentric;
         if (intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric) < INFINITY) {
             return true;
         }
     }
     // #endregion ray_any_triangle
-#endif
     return false;
 }
-#endif
 
-#if HAS_POINT_LIGHT
 static bool any_hit_line(const Scene *scene, const Line line) {
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         if (intersect_line_sphere(line, XYZ(sphere.center), sphere.radius)) {
             return true;
         }
     }
-#endif
-#if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
+    for (int i = 0; i < scene->plane_count; ++i) {
         const Plane plane = scene->planes[i];
         if (intersect_line_plane(line, XYZ(plane.normal), plane.offset)) {
             return true;
         }
     }
-#endif
-#if TRIANGLE_COUNT > 0
     // #region line_any_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+    for (int i = 0; i < scene->triangle_count; ++i) {
         if (intersect_line_triangle(line, triangle_edges(scene, i))) {
             return true;
         }
     }
     // #endregion line_any_triangle
-#endif
     return false;
 }
-#endif
 // #endregion any_hit

@@ -4,9 +4,7 @@
 #include "plane.cl"
 #include "scene.cl"
 #include "sphere.cl"
-#if TRIANGLE_COUNT > 0
 #include "triangle.cl"
-#endif
 
 // #region closest_hit
 // #region keep_closer
@@ -24,24 +22,19 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
     closest.distance = INFINITY;
     closest.shape = SHAPE_NONE;
 // #region each_sphere
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);
     }
-#endif
 // #endregion each_sphere
-#if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
+    for (int i = 0; i < scene->plane_count; ++i) {
         const Plane plane = scene->planes[i];
         keep_closer(&closest, intersect_ray_plane(ray, XYZ(plane.normal), plane.offset), SHAPE_PLANE,
                     i);
     }
-#endif
-#if TRIANGLE_COUNT > 0
     // #region closest_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+    for (int i = 0; i < scene->triangle_count; ++i) {
         float2 barycentric;
         const float distance =
             intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric);
@@ -51,7 +44,6 @@ static Hit closest_hit(const Scene *scene, const Ray ray) {
         keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
     }
     // #endregion closest_triangle
-#endif
     return closest;
 }
 // #endregion closest_hit

@@ -49,21 +49,15 @@ static float3 transmittance_none(const float3 absorption, const float distance) 
 // On a smooth mesh the shading normal leans away from the facet's. It may even be turned away from the
 // ray: beyond grazing, where all is reflected.
 static bool is_turned_away(const Surface *surface, const float3 direction) {
-#if HAS_DIELECTRIC_MESH
     return dot(direction, surface->normal) >= 0.0f;
-#else
-    return false;
-#endif
 }
 
 // And what is refracted by it may come out above the facet: it is folded back beneath, as what is
 // reflected is folded back up, without a step where that begins.
-static void fold_below(const Surface *surface, float3 *refracted) {
-#if HAS_DIELECTRIC_MESH
-    if (dot(*refracted, surface->geometric_normal) > 0.0f) {
-        *refracted = reflect(*refracted, surface->geometric_normal);
-    }
-#endif
+static float3 folded_below(const Surface *surface, const float3 refracted) {
+    return dot(refracted, surface->geometric_normal) > 0.0f
+               ? reflect(refracted, surface->geometric_normal)
+               : refracted;
 }
 // #endregion smooth_glass
 
@@ -79,15 +73,20 @@ typedef struct Interface {
 static Interface interface_at(const Surface *surface, const float3 direction, const float ior) {
     Interface interface;
     const float ratio = surface->from_behind ? ior : 1.0f / ior;
-    if (is_turned_away(surface, direction)
-        || !refract(direction, surface->normal, ratio, &interface.refracted)) {
+    bool is_split = refract(direction, surface->normal, ratio, &interface.refracted);
+    if (HAS_DIELECTRIC_MESH && is_turned_away(surface, direction)) {
+        is_split = false;
+    }
+    if (!is_split) {
         interface.reflectance = 1.0f;
         return interface;
     }
     const float3 thinner_side = ratio > 1.0f ? interface.refracted : direction;
     const float cosine = fabs(dot(thinner_side, surface->normal));
     interface.reflectance = fresnel(cosine, ior);
-    fold_below(surface, &interface.refracted);
+    if (HAS_DIELECTRIC_MESH) {
+        interface.refracted = folded_below(surface, interface.refracted);
+    }
     return interface;
 }
 // #endregion interface_at
@@ -95,7 +94,6 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
 
 // #region spawn_dielectric
 // At every wall, inside as outside, one ray is reflected and one goes through.
-#if HAS_DIELECTRIC
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
                              const DielectricMaterial *glass, const float3 weight,
                              RayCounts *counts) {
@@ -117,12 +115,10 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         push_ray(stack, refracted, &counts->refraction, counts);
     }
 }
-#endif
 // #endregion spawn_dielectric
 
 // #region interior_paper
 // The paper's way (section 5): once through the sphere and out, no reflection inside.
-#if HAS_DIELECTRIC && METHOD_INTERIOR_PAPER
 // From a point on a sphere, the point of the ray nearest the centre is half-way to the other wall.
 static float intersect_ray_inside_sphere(const Ray ray, const float3 center) {
     return 2.0f * dot(center - ray.origin, ray.direction);
@@ -154,5 +150,4 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         push_ray(stack, leaving, &counts->refraction, counts);
     }
 }
-#endif
 // #endregion interior_paper

@@ -12,8 +12,7 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
 // #region without_lights
     float3 sum = (float3)(0.0f);
 // #endregion without_lights
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
@@ -24,7 +23,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
             }
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

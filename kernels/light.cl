@@ -8,7 +8,6 @@ typedef struct Illumination {
     float3 irradiance;  // on a surface that faces the light
 } Illumination;
 
-#if HAS_POINT_LIGHT
 // #region point_light
 // Inverse square falloff, windowed to end at the range without a step (Lagarde and de
 // Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 4.4).
@@ -22,36 +21,18 @@ static Illumination point_light_at(const Light light, const float3 position) {
     return illumination;
 }
 // #endregion point_light
-#endif
 
-#if HAS_DIRECTIONAL_LIGHT
 static Illumination directional_light_at(const Light light) {
     const Illumination illumination = {-XYZ(light.as.directional.direction), XYZ(light.color)};
     return illumination;
 }
-#endif
 
-#if LIGHT_COUNT > 0
 // Known beforehand where the scene has lights of one kind.
 static bool is_point(const Light light) {
-#if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
-    return light.type == LIGHT_POINT;
-#elif HAS_POINT_LIGHT
-    return true;
-#else
-    return false;
-#endif
+    return HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT ? light.type == LIGHT_POINT : HAS_POINT_LIGHT;
 }
 
 static Illumination light_at(const Light light, const float3 position) {
-#if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
-    return is_point(light) ? point_light_at(light, position)
-                                     : directional_light_at(light);
-#elif HAS_POINT_LIGHT
-    return point_light_at(light, position);
-#else
-    return directional_light_at(light);
-#endif
+    return is_point(light) ? point_light_at(light, position) : directional_light_at(light);
 }
-#endif
 // #endregion light_at

@@ -11,11 +11,7 @@
 // #region fused
 // a * b + c, rounded once where the device does that in hardware: fma() in software takes many times as
 // long.
-#if HAS_FMA
-#define FUSED(a, b, c) fma(a, b, c)
-#else
-#define FUSED(a, b, c) ((a) * (b) + (c))
-#endif
+#define FUSED(a, b, c) (HAS_FMA ? fma(a, b, c) : (a) * (b) + (c))
 // #endregion fused
 
 // #region ray
@@ -39,9 +35,7 @@ typedef struct Hit {
     float distance;  // along the ray; INFINITY when nothing was hit
     Shape shape;
     int index;  // of the sphere, plane or triangle
-#if TRIANGLE_COUNT > 0
     float2 barycentric;  // the weights of the triangle's second and third vertex
-#endif
 } Hit;
 
 // Where and what a ray has hit, as shading wants it: both normals face the eye.
@@ -52,9 +46,7 @@ typedef struct Surface {
     bool from_behind;         // seen from inside a sphere or a mesh, or from under a plane
     int material;
     float offset;  // how far off the surface a new ray starts
-#if HAS_TEXTURES
     float2 texture_coordinates;
-#endif
 } Surface;
 // #endregion hit
 

@@ -19,11 +19,9 @@ static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
     if (counts.dropped > 0) {
         atomic_add(&row->dropped, counts.dropped);
     }
-#if FADED_ONE_IN > 0
-    if (counts.faded > 0) {
+    if (FADED_ONE_IN > 0 && counts.faded > 0) {
         atomic_add(&row->faded, counts.faded);
         atomic_max(&row->faded_weight, counts.faded_weight);
     }
-#endif
 }
 // #endregion ray_counts

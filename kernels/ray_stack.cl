@@ -9,9 +9,7 @@ typedef struct PendingRay {
     Ray ray;
     float3 weight;  // what its light is multiplied by on the way to the pixel
     int depth;      // bounces so far
-#if HAS_DIELECTRIC
     float3 absorption;  // of the medium that it runs in
-#endif
 } PendingRay;
 // #endregion pending_ray
 
@@ -29,9 +27,7 @@ static PendingRay primary_ray(const Ray ray) {
     primary.ray = ray;
     primary.weight = (float3)(1.0f);
     primary.depth = 0;
-#if HAS_DIELECTRIC
     primary.absorption = (float3)(0.0f);
-#endif
     return primary;
 }
 
@@ -42,31 +38,29 @@ static void copy_pending(PendingRay *to, const PendingRay *from) {
     to->ray.direction = from->ray.direction;
     to->weight = from->weight;
     to->depth = from->depth;
-#if HAS_DIELECTRIC
-    to->absorption = from->absorption;
-#endif
+    if (HAS_DIELECTRIC) {
+        to->absorption = from->absorption;
+    }
 }
 
 // #region faded
 // A ray is not worth its way when it can't bring a pixel a step of an 8-bit picture. What all such
 // rays of a pixel could have brought is added up, rounded up, so that their error is known.
 static bool has_faded(const PendingRay *ray, RayCounts *counts) {
-#if FADED_ONE_IN > 0
     const float largest = max(ray->weight.x, max(ray->weight.y, ray->weight.z));
-    if (largest * FADED_ONE_IN < 1.0f) {
-        ++counts->faded;
-        counts->faded_weight += convert_uint_rtp(largest * FADED_WEIGHT_ONE);
-        return true;
+    if (largest * FADED_ONE_IN >= 1.0f) {
+        return false;
     }
-#endif
-    return false;
+    ++counts->faded;
+    counts->faded_weight += convert_uint_rtp(largest * FADED_WEIGHT_ONE);
+    return true;
 }
 // #endregion faded
 
 // #region push_ray
 // A ray that has faded, or is beyond the depth limit, is not traced, but it is counted.
 static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
-    if (has_faded(&ray, counts)) {
+    if (FADED_ONE_IN > 0 && has_faded(&ray, counts)) {
         return;
     }
     if (ray.depth > MAX_DEPTH) {

@@ -6,6 +6,7 @@
 
 // #region real
 // As they lie in memory.
+typedef float Single;
 typedef float2 Single2;
 typedef float4 Single4;
 

@@ -151,21 +151,6 @@ typedef struct FacetMap {
 #define TILE_WIDTH_OF(width) ((width) < 4 ? 1 : (width) < 8 ? 2 : 4)
 #define PACKETS_IN_ROW_OF(width) ((width) == 1 ? 1 : 2)
 
-#if BVH_WIDTH > 0
-#if STORAGE_IS_HALF
-typedef unsigned short StoredNumber;
-#else
-typedef float StoredNumber;
-#endif
-
-// Boxes around triangles, side by side, so that all are tried at once.
-typedef struct BvhNode {
-    StoredNumber planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
-    uint first[BVH_WIDTH];  // of a leaf, the first of its triangles; else the child's node
-    uint count[BVH_WIDTH];  // of a leaf, how many triangles it has; else 0
-} BvhNode;
-#endif
-
 // How many rays of a kind were traced, how many the depth limit dropped, and how many had faded:
 // one a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
 typedef struct RayCounts {

@@ -3,12 +3,8 @@
 // the light of a ray that met it.
 #include "reflection.cl"
 #include "surface.cl"
-#if HAS_DIELECTRIC
 #include "dielectric.cl"
-#endif
-#if HAS_TEXTURES
 #include "texture.cl"
-#endif
 
 // #region shares
 // How a material divides the light it sends on: what comes straight from the lights, and
@@ -41,37 +37,33 @@ static float reflected_share(const Material *material) {
 // the pixel; the rays for what else it sends on go onto the stack.
 static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
                   const Surface *surface, float3 *direct_weight, RayStack *stack,
-                  RayCounts *counts TEXTURE_PARAMETER) {
+                  RayCounts *counts, TEXTURES textures) {
     const Material material = scene->materials[surface->material];
     // #region surface_color
     float3 weight = incoming->weight * XYZ(material.color);
-#if HAS_TEXTURES
-    weight *= texture_color(&material, surface->texture_coordinates TEXTURE_ARGUMENT);
-#endif
+    if (HAS_TEXTURES) {
+        weight *= texture_color(&material, surface->texture_coordinates, textures);
+    }
     // #endregion surface_color
     // #region shade_dielectric
-#if HAS_DIELECTRIC
-    weight *= transmittance(incoming->absorption, hit.distance);
-    if (material.type == MATERIAL_DIELECTRIC) {
+    if (HAS_DIELECTRIC) {
+        weight *= transmittance(incoming->absorption, hit.distance);
+    }
+    if (HAS_DIELECTRIC && material.type == MATERIAL_DIELECTRIC) {
         const DielectricMaterial glass = material.as.dielectric;
-#if METHOD_INTERIOR_PAPER && SPHERE_COUNT > 0
-        if (hit.shape == SHAPE_SPHERE) {
+        if (METHOD_INTERIOR_PAPER && hit.shape == SHAPE_SPHERE) {
             const float3 center = XYZ(scene->spheres[hit.index].center);
             spawn_through_sphere(stack, incoming, surface, &glass, center, weight, counts);
             return false;
         }
-#endif
         spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
     }
-#endif
     // #endregion shade_dielectric
     // #region shade_shares
-#if HAS_REFLECTION
     const float reflected = reflected_share(&material);
-    if (reflected > 0.0f) {
+    if (HAS_REFLECTION && reflected > 0.0f) {
         spawn_reflected(stack, incoming, surface, reflected * weight, counts);
     }
-#endif
     const float diffuse = diffuse_share(&material);
     *direct_weight = diffuse * weight;
     return diffuse > 0.0f;

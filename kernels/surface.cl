@@ -3,15 +3,10 @@
 // where a ray has hit.
 #include "origin.cl"
 #include "scene.cl"
-#if TRIANGLE_COUNT > 0
 #include "triangle.cl"
-#endif
-#if HAS_TEXTURES
 #include "texture_coordinates.cl"
-#endif
 
 // #region surface_at
-#if SPHERE_COUNT > 0
 // #region sphere_surface
 // The hit point is put back onto the sphere: far away, the distance alone would miss it.
 static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
@@ -23,14 +18,12 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->material = sphere.material;
     surface->offset = error_along(surface->normal, surface->position,
                                   (float3)(GAMMA(15.0f) * sphere.radius));
-#if HAS_TEXTURES
-    surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
-#endif
+    if (HAS_TEXTURES) {
+        surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
+    }
 }
 // #endregion sphere_surface
-#endif
 
-#if PLANE_COUNT > 0
 // Put back onto the plane too, which takes out what the division has left in the distance.
 static void plane_surface(Surface *surface, const Plane plane, const Ray ray, const Hit hit) {
     const float3 normal = XYZ(plane.normal);
@@ -41,34 +34,21 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->material = plane.material;
     surface->offset =
         error_along(normal, position, (float3)(GAMMA(12.0f)) * fabs(position));
-#if HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);  // a plane has none
-#endif
 }
-#endif
 
 // What is known of a surface for having looked it up: the normals of a triangle are left as long as
 // they come.
 static Surface fetch_surface(const Scene *scene, const Ray ray, const Hit hit) {
     Surface surface;
-    switch (hit.shape) {
-#if SPHERE_COUNT > 0
-    case SHAPE_SPHERE:
+    if (HAS_SPHERES && hit.shape == SHAPE_SPHERE) {
         sphere_surface(&surface, scene->spheres[hit.index], ray, hit);
-        break;
-#endif
-#if PLANE_COUNT > 0
-    case SHAPE_PLANE:
+    }
+    if (HAS_PLANES && hit.shape == SHAPE_PLANE) {
         plane_surface(&surface, scene->planes[hit.index], ray, hit);
-        break;
-#endif
-#if TRIANGLE_COUNT > 0
-    case SHAPE_TRIANGLE:
+    }
+    if (HAS_TRIANGLES && hit.shape == SHAPE_TRIANGLE) {
         fetch_triangle(&surface, scene, hit);
-        break;
-#endif
-    default:
-        break;
     }
     return surface;
 }
@@ -76,11 +56,9 @@ static Surface fetch_surface(const Scene *scene, const Ray ray, const Hit hit) {
 // The surface at a hit, its normals turned to the side that the ray came from.
 static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
     Surface surface = fetch_surface(scene, ray, hit);
-#if TRIANGLE_COUNT > 0
-    if (hit.shape == SHAPE_TRIANGLE) {
+    if (HAS_TRIANGLES && hit.shape == SHAPE_TRIANGLE) {
         finish_triangle(&surface);
     }
-#endif
 // #region sides
     surface.from_behind = dot(surface.geometric_normal, ray.direction) > 0.0f;
     if (surface.from_behind) {
@@ -88,9 +66,9 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         surface.geometric_normal = -surface.geometric_normal;
     }
 // #endregion sides
-#if METHOD_ORIGIN_SCALED
-    surface.offset = scaled_offset(ray, hit.distance);
-#endif
+    if (ORIGIN_IS_SCALED) {
+        surface.offset = scaled_offset(ray, hit.distance);
+    }
     return surface;
 }
 // #endregion surface_at

@@ -6,7 +6,7 @@
 #include "shade.cl"
 
 // #region trace
-static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEXTURE_PARAMETER) {
+static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TEXTURES textures) {
     RayStack stack;
     stack.rays[0] = primary_ray(primary);
     stack.count = 1;
@@ -23,7 +23,7 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEX
             const Surface surface = surface_at(scene, incoming.ray, hit);
             // #endregion hit_surface
             float3 weight;
-            if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts TEXTURE_ARGUMENT)) {
+            if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts, textures)) {
                 // #region direct
                 color += weight * direct_light(scene, &surface, counts);
                 // #endregion direct

@@ -12,23 +12,21 @@ typedef struct Edges {
 } Edges;
 // #endregion edges
 
-#if BVH_WIDTH > 0
 static float3 facet_corner(const Scene *scene, const int index, const int corner) {
     return LOAD_COORDINATES(scene->facets[index].corners[corner]);
 }
-#endif
 
 static Edges triangle_edges(const Scene *scene, const int index) {
-#if BVH_WIDTH > 0
-    const float3 corner = facet_corner(scene, index, 0);
-    const Edges edges = {corner, facet_corner(scene, index, 1) - corner,
-                         facet_corner(scene, index, 2) - corner};
-#else
+    if (HAS_TREE) {
+        const float3 corner = facet_corner(scene, index, 0);
+        const Edges edges = {corner, facet_corner(scene, index, 1) - corner,
+                             facet_corner(scene, index, 2) - corner};
+        return edges;
+    }
     const Triangle triangle = scene->triangles[index];
     const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
     const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
                          XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
-#endif
     return edges;
 }
 // #endregion triangle_edges
@@ -101,13 +99,13 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
                                       + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
     // #region mesh_coordinates
-#if HAS_MESH_TEXTURES
-    surface->texture_coordinates = a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
-                                   + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
-                                   + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
-#elif HAS_TEXTURES
     surface->texture_coordinates = (float2)(0.0f);
-#endif
+    if (HAS_MESH_TEXTURES) {
+        surface->texture_coordinates =
+            a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
+            + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
+            + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
+    }
     // #endregion mesh_coordinates
 }
 

@@ -5,10 +5,7 @@
 #include "scene.cl"
 #include "wide.cl"
 #include "wide_sphere.cl"
-#if BVH_WIDTH > 0
 #include "bvh.cl"
-#endif
-
 
 // #region wide_plane
 // As intersect_ray_plane.
@@ -32,26 +29,22 @@ static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) 
     for (int packet = 0; packet < PACKETS; ++packet) {
         const WideHits none = {SHAPE_NONE, 0, 0.0f, 0.0f};
         closest[packet] = none;
-#if SPHERE_COUNT > 0
-        for (int i = 0; i < SPHERE_COUNT; ++i) {
+        for (int i = 0; i < scene->sphere_count; ++i) {
             const Sphere sphere = scene->spheres[i];
             keep_closer(&rays[packet], &closest[packet],
                         wide_ray_sphere(&rays[packet], XYZ(sphere.center), sphere.radius),
                         SHAPE_SPHERE, i);
         }
-#endif
-#if PLANE_COUNT > 0
-        for (int i = 0; i < PLANE_COUNT; ++i) {
+        for (int i = 0; i < scene->plane_count; ++i) {
             const Plane plane = scene->planes[i];
             keep_closer(&rays[packet], &closest[packet],
                         wide_ray_plane(&rays[packet], XYZ(plane.normal), plane.offset), SHAPE_PLANE,
                         i);
         }
-#endif
     }
-#if BVH_WIDTH > 0
-    closest_triangle(scene, rays, closest);
-#endif
+    if (HAS_TREE) {
+        closest_triangle(scene, rays, closest);
+    }
 }
 // #endregion closest_hits
 
@@ -60,27 +53,23 @@ static void closest_hits(const Scene *scene, WideRays *rays, WideHits *closest) 
 // their way lose their limit.
 static void block_hits(const Scene *scene, WideRays *rays, const bool are_lines) {
     for (int packet = 0; packet < PACKETS; ++packet) {
-#if SPHERE_COUNT > 0
-        for (int i = 0; i < SPHERE_COUNT; ++i) {
+        for (int i = 0; i < scene->sphere_count; ++i) {
             const float3 center = XYZ(scene->spheres[i].center);
             const float radius = scene->spheres[i].radius;
             block(&rays[packet],
                   are_lines ? wide_line_sphere(&rays[packet], center, radius)
                             : wide_ray_sphere(&rays[packet], center, radius) < INFINITY);
         }
-#endif
-#if PLANE_COUNT > 0
-        for (int i = 0; i < PLANE_COUNT; ++i) {
+        for (int i = 0; i < scene->plane_count; ++i) {
             const float3 normal = XYZ(scene->planes[i].normal);
             const float offset = scene->planes[i].offset;
             block(&rays[packet], are_lines
                                      ? wide_line_plane(&rays[packet], normal, offset)
                                      : wide_ray_plane(&rays[packet], normal, offset) < INFINITY);
         }
-#endif
     }
-#if BVH_WIDTH > 0
-    block_triangles(scene, rays);
-#endif
+    if (HAS_TREE) {
+        block_triangles(scene, rays);
+    }
 }
 // #endregion block_hits

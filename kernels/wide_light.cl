@@ -3,14 +3,12 @@
 #include "light.cl"
 #include "wide_surface.cl"
 
-#if LIGHT_COUNT > 0
 // #region wide_light_at
 typedef struct WideIllumination {
     Wide3 direction;  // towards the light, unit length
     Wide share;       // of the light's colour, on a surface that faces it
 } WideIllumination;
 
-#if HAS_POINT_LIGHT
 // As point_light_at.
 static WideIllumination wide_point_light_at(const PointLight light, const Wide3 position) {
     const Wide3 to_light = wide_difference(wide3(XYZ(light.position)), position);
@@ -22,24 +20,15 @@ static WideIllumination wide_point_light_at(const PointLight light, const Wide3 
                                            window * window / distance_squared};
     return illumination;
 }
-#endif
 
-#if HAS_DIRECTIONAL_LIGHT
 static WideIllumination wide_directional_light_at(const DirectionalLight light) {
     const WideIllumination illumination = {wide3(-XYZ(light.direction)), 1.0f};
     return illumination;
 }
-#endif
 
 static WideIllumination wide_light_at(const Light light, const Wide3 position) {
-#if HAS_POINT_LIGHT && HAS_DIRECTIONAL_LIGHT
     return is_point(light) ? wide_point_light_at(light.as.point, position)
                            : wide_directional_light_at(light.as.directional);
-#elif HAS_POINT_LIGHT
-    return wide_point_light_at(light.as.point, position);
-#else
-    return wide_directional_light_at(light.as.directional);
-#endif
 }
 // #endregion wide_light_at
 
@@ -52,12 +41,10 @@ static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,
     rays.origin = wide_origin_off(surfaces, direction);
     rays.direction = direction;
     rays.limit = mask ? (Wide)(INFINITY) : (Wide)(-1.0f);
-#if HAS_POINT_LIGHT
     if (is_point(light)) {
         rays.direction = wide_difference(wide3(XYZ(light.as.point.position)), rays.origin);
         rays.limit = mask ? (Wide)(1.0f) : (Wide)(-1.0f);
     }
-#endif
     return rays;
 }
 
@@ -65,7 +52,7 @@ static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,
 // by its weight, and its rays to each lane's number of them.
 static void add_direct_light(const Scene *scene, const WideSurfaces *surfaces, const WideInt *lit,
                              const Wide3 *weights, Wide3 *colors, WideInt *shadow_rays) {
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         WideRays rays[PACKETS];
         Wide shares[PACKETS];
@@ -96,4 +83,3 @@ static void add_direct_light(const Scene *scene, const WideSurfaces *surfaces, c
     }
 }
 // #endregion wide_direct_light
-#endif

@@ -48,13 +48,16 @@ static int row_for_counts(const int rows) {
 }
 
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
-                     SCENE_PARAMETERS) {
+#include "scene_parameters.inc"
+) {
     const int2 tile = (int2)(TILE_WIDTH, TILE_HEIGHT);
     const int2 block = (int2)(get_global_id(0), get_global_id(1)) * tile * PACKETS_IN_ROW;
     if (block.x >= camera.size.x || block.y >= camera.size.y) {
         return;
     }
-    const Scene scene = SCENE_ARGUMENTS;
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     WideRays rays[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
         rays[packet] = camera_rays(&camera, block + tile * packet_place(packet));
@@ -62,7 +65,7 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     RayCounts counts = {0, 0, 0, 0, 0, 0};
     Wide3 colors[PACKETS];
     // #region trace_block
-    trace_packets(&scene, rays, colors, &counts TEXTURE_ARGUMENT);
+    trace_packets(&scene, rays, colors, &counts, textures);
     // #endregion trace_block
     // Before the pixels: an atomic waits until all that was written has arrived.
     add_ray_counts(&ray_counts[row_for_counts(camera.size.y)], counts);

@@ -12,9 +12,7 @@ typedef struct SurfaceLanes {
     LanesInt from_behind;
     Lanes offset;
     int material[WIDTH];
-#if HAS_TEXTURES
     float2 texture_coordinates[WIDTH];
-#endif
 } SurfaceLanes;
 // #endregion surface_lanes
 
@@ -26,9 +24,7 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
     put_lane(&lanes->geometric_normal, lane, surface->geometric_normal);
     lanes->offset.lane[lane] = surface->offset;
     lanes->material[lane] = surface->material;
-#if HAS_TEXTURES
     lanes->texture_coordinates[lane] = surface->texture_coordinates;
-#endif
 }
 // #endregion put_surface
 
@@ -44,11 +40,7 @@ static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *la
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
     surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
     surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
-#if METHOD_ORIGIN_SCALED
-    surfaces.offset = wide_scaled_offset(rays);
-#else
-    surfaces.offset = lanes->offset.wide;
-#endif
+    surfaces.offset = ORIGIN_IS_SCALED ? wide_scaled_offset(rays) : lanes->offset.wide;
     return surfaces;
 }
 
@@ -68,9 +60,7 @@ static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
     surface.from_behind = lanes->from_behind.lane[lane] != 0;
     surface.material = lanes->material[lane];
     surface.offset = lanes->offset.lane[lane];
-#if HAS_TEXTURES
     surface.texture_coordinates = lanes->texture_coordinates[lane];
-#endif
     return surface;
 }
 // #endregion finish

@@ -8,19 +8,15 @@
 typedef struct HitLanes {
     Lanes distance;
     LanesInt shape, index;
-#if TRIANGLE_COUNT > 0
     Lanes barycentric_b, barycentric_c;
-#endif
 } HitLanes;
 
 static void store_hits(HitLanes *lanes, const Wide distance, const WideHits *hits) {
     lanes->distance.wide = distance;
     lanes->shape.wide = hits->shape;
     lanes->index.wide = hits->index;
-#if TRIANGLE_COUNT > 0
     lanes->barycentric_b.wide = hits->barycentric_b;
     lanes->barycentric_c.wide = hits->barycentric_c;
-#endif
 }
 
 static Hit get_hit(const HitLanes *lanes, const int lane) {
@@ -28,9 +24,7 @@ static Hit get_hit(const HitLanes *lanes, const int lane) {
     hit.distance = lanes->distance.lane[lane];
     hit.shape = lanes->shape.lane[lane];
     hit.index = lanes->index.lane[lane];
-#if TRIANGLE_COUNT > 0
     hit.barycentric = (float2)(lanes->barycentric_b.lane[lane], lanes->barycentric_c.lane[lane]);
-#endif
     return hit;
 }
 // #endregion wide_hits
@@ -40,9 +34,7 @@ static Hit get_hit(const HitLanes *lanes, const int lane) {
 typedef struct IncomingLanes {
     Lanes3 origin, direction, weight;
     LanesInt depth;
-#if HAS_DIELECTRIC
     Lanes3 absorption;
-#endif
 } IncomingLanes;
 
 // As primary_ray.
@@ -53,9 +45,7 @@ static void store_primary(IncomingLanes *lanes, const WideRays *rays) {
     store_lanes(&lanes->weight, wide3((float3)(1.0f)));
     // #endregion primary_weight
     lanes->depth.wide = 0;
-#if HAS_DIELECTRIC
     store_lanes(&lanes->absorption, wide3((float3)(0.0f)));
-#endif
 }
 
 static PendingRay get_incoming(const IncomingLanes *lanes, const int lane) {
@@ -64,39 +54,30 @@ static PendingRay get_incoming(const IncomingLanes *lanes, const int lane) {
     pending.ray.direction = get_lane(&lanes->direction, lane);
     pending.weight = get_lane(&lanes->weight, lane);
     pending.depth = lanes->depth.lane[lane];
-#if HAS_DIELECTRIC
     pending.absorption = get_lane(&lanes->absorption, lane);
-#endif
     return pending;
 }
 
-#if HAS_REFLECTION || HAS_DIELECTRIC
 static void put_incoming(IncomingLanes *lanes, const int lane, const PendingRay *pending) {
     put_lane(&lanes->origin, lane, pending->ray.origin);
     put_lane(&lanes->direction, lane, pending->ray.direction);
     put_lane(&lanes->weight, lane, pending->weight);
     lanes->depth.lane[lane] = pending->depth;
-#if HAS_DIELECTRIC
     put_lane(&lanes->absorption, lane, pending->absorption);
-#endif
 }
-#endif
 // #endregion incoming
 
 // #region wide_shade
 // Where nothing bounces, no lane needs a stack and counts of its own.
-#if HAS_REFLECTION || HAS_DIELECTRIC
-#define BOUNCE_LANES WIDTH
-#else
-#define BOUNCE_LANES 1
-#endif
+#define HAS_BOUNCES (HAS_REFLECTION || HAS_DIELECTRIC)
+#define BOUNCE_LANES (HAS_BOUNCES ? WIDTH : 1)
 
 // What is there where a packet's rays have hit, and of each whether light that comes straight from the
 // lights counts there, and with what weight in the pixel. The rays for what else it sends on go onto
 // the lane's stack.
 static void shade_packet(const Scene *scene, const WideRays *rays, const WideHits *hits,
                          const IncomingLanes *incoming, RayStack *stacks, RayCounts *counts,
-                         WideSurfaces *surfaces, WideInt *lit, Wide3 *weights TEXTURE_PARAMETER) {
+                         WideSurfaces *surfaces, WideInt *lit, Wide3 *weights, TEXTURES textures) {
     HitLanes hit_lanes;
     store_hits(&hit_lanes, rays->limit, hits);
     SurfaceLanes surface_lanes;
@@ -121,7 +102,7 @@ static void shade_packet(const Scene *scene, const WideRays *rays, const WideHit
             const Surface surface = get_surface(&surface_lanes, lane);
             lit_lanes.lane[lane] =
                 shade(scene, &pending, hit, &surface, &weight, &stacks[lane % BOUNCE_LANES],
-                      &counts[lane % BOUNCE_LANES] TEXTURE_ARGUMENT);
+                      &counts[lane % BOUNCE_LANES], textures);
         }
         put_lane(&weight_lanes, lane, weight);
     }
@@ -132,7 +113,7 @@ static void shade_packet(const Scene *scene, const WideRays *rays, const WideHit
 // One ray of each lane: adds the light that its hit sends on at once.
 static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *incoming,
                        RayStack stacks[][BOUNCE_LANES], RayCounts counts[][BOUNCE_LANES],
-                       Wide3 *colors, WideInt *shadow_rays TEXTURE_PARAMETER) {
+                       Wide3 *colors, WideInt *shadow_rays, TEXTURES textures) {
     WideHits hits[PACKETS];
     closest_hits(scene, rays, hits);
     WideSurfaces surfaces[PACKETS];
@@ -148,17 +129,14 @@ static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *
         if (any_lane(hits[packet].shape != SHAPE_NONE)) {
             shade_packet(scene, &rays[packet], &hits[packet], &incoming[packet], stacks[packet],
                          counts[packet], &surfaces[packet], &lit[packet],
-                         &weights[packet] TEXTURE_ARGUMENT);
+                         &weights[packet], textures);
         }
     }
-#if LIGHT_COUNT > 0
     add_direct_light(scene, surfaces, lit, weights, colors, shadow_rays);
-#endif
 }
 // #endregion wide_shade
 
 // #region wide_trace
-#if HAS_REFLECTION || HAS_DIELECTRIC
 // The next ray of each lane's stack. False when none has one.
 static bool pop_rays(RayStack *stacks, IncomingLanes *incoming, WideRays *rays) {
     Lanes limits;
@@ -176,11 +154,10 @@ static bool pop_rays(RayStack *stacks, IncomingLanes *incoming, WideRays *rays) 
     rays->limit = limits.wide;
     return any;
 }
-#endif
 
 // As trace, of all packets' primary rays; `sum` comes empty.
 static void trace_packets(const Scene *scene, WideRays *rays, Wide3 *colors,
-                          RayCounts *sum TEXTURE_PARAMETER) {
+                          RayCounts *sum, TEXTURES textures) {
     IncomingLanes incoming[PACKETS];
     RayStack stacks[PACKETS][BOUNCE_LANES];
     RayCounts counts[PACKETS][BOUNCE_LANES];
@@ -195,13 +172,11 @@ static void trace_packets(const Scene *scene, WideRays *rays, Wide3 *colors,
     WideInt shadow_rays = 0;
     bool any = true;
     while (any) {
-        trace_rays(scene, rays, incoming, stacks, counts, colors, &shadow_rays TEXTURE_ARGUMENT);
+        trace_rays(scene, rays, incoming, stacks, counts, colors, &shadow_rays, textures);
         any = false;
-#if HAS_REFLECTION || HAS_DIELECTRIC
-        for (int packet = 0; packet < PACKETS; ++packet) {
+        for (int packet = 0; HAS_BOUNCES && packet < PACKETS; ++packet) {
             any |= pop_rays(stacks[packet], &incoming[packet], &rays[packet]);
         }
-#endif
     }
     sum->shadow = sum_of_lanes(shadow_rays);
     for (int packet = 0; packet < PACKETS; ++packet) {

@@ -17,17 +17,18 @@ ROOT = Path(__file__).resolve().parent.parent
 
 # Of the names that the host defines for a scene, those that a stage is the first to know.
 LEARNT = {
-    1: {"SPHERE_COUNT": 2, "PLANE_COUNT": 2},
-    2: {"MATERIAL_COUNT": 2, "LIGHT_COUNT": 2, "HAS_POINT_LIGHT": 1, "HAS_DIRECTIONAL_LIGHT": 1,
-        "HAS_DIFFUSE": 1},
+    1: {"HAS_SPHERES": 1, "HAS_PLANES": 1},
+    2: {"HAS_MATERIALS": 1, "HAS_LIGHTS": 1, "HAS_POINT_LIGHT": 1, "HAS_DIRECTIONAL_LIGHT": 1},
     3: {"HAS_REFLECTION": 1, "MAX_DEPTH": 8, "STACK_SIZE": 9},
     4: {"HAS_DIELECTRIC": 1},
-    5: {"TRIANGLE_COUNT": 2},
+    5: {"HAS_TRIANGLES": 1},
     6: {"HAS_TEXTURES": 1, "HAS_MESH_TEXTURES": 1},
     7: {"PICTURE_IS_IMAGE": 1},
-    9: {"WIDTH": 16, "PACKETS": 4, "BVH_WIDTH": 4, "HAS_FMA": 1},
+    9: {"WIDTH": 16, "PACKETS": 4, "HAS_TREE": 1, "BVH_WIDTH": 4, "HAS_FMA": 1},
     10: {"HAS_DIELECTRIC_MESH": 1, "FADED_ONE_IN": 4096},
 }
+# And those that stand for a count of things which the scene may lack.
+COUNTS = {"triangle_count": "HAS_TRIANGLES"}
 # The lesson of 08 is compiled as C++, OpenCL C and GLSL, and no kernel includes it.
 BESIDE = {8: "kernels/transfer_curves.h"}
 
@@ -41,19 +42,25 @@ def number_of(stage):
 
 
 def included(path, files):
-    """Adds the file after all that it includes, each once."""
+    """Adds the file and all that it includes, each once."""
     if path in files:
         return
-    text = path.read_text()
-    for module in re.findall(r'^#include "(.*)"', text, re.MULTILINE):
-        included(ROOT / "kernels" / module, files)
-    files[path] = [line for line in text.splitlines() if not line.startswith("#include")]
+    files[path] = []
+    for line in path.read_text().splitlines():
+        module = re.match(r'#include "(.*)"', line)
+        if not module:
+            files[path].append(line)
+        elif module[1].endswith(".inc"):  # a part of a declaration
+            files[path] += (ROOT / "kernels" / module[1]).read_text().splitlines()[2:]
+        else:
+            included(ROOT / "kernels" / module[1], files)
 
 
 def value_of(condition, names):
     """Of an #if: names that are not defined count as 0."""
     condition = re.sub(r"defined\((\w+)\)", lambda m: str(int(m[1] in names)), condition)
-    condition = re.sub(r"\b[A-Za-z_]\w*", lambda m: str(names.get(m[0], 0)), condition)
+    while re.search(r"[A-Za-z_]", condition):  # a macro may be defined by others
+        condition = re.sub(r"\b[A-Za-z_]\w*", lambda m: str(names.get(m[0], 0)), condition)
     condition = condition.replace("&&", " and ").replace("||", " or ")
     condition = re.sub(r"!(?!=)", " not ", condition)
     return bool(eval(condition, {"__builtins__": {}}))  # our own sources: numbers and operators
@@ -76,10 +83,58 @@ def learnt(lines, names):
         elif word == "endif":
             nested.pop()
         elif all(taken for taken, _ in nested):
-            kept.append(line)
+            kept.append(line if "HAS_TEXTURES" in names
+                        else re.sub(r", (TEXTURES )?textures\b", "", line))
             if word == "define" and (macro := re.match(r"(\w+)\s+(.*)", rest)):
                 names.setdefault(*macro.groups())
     return kept
+
+
+def closing(text, start):
+    """The place after the bracket that closes the one at `start`."""
+    depth = 0
+    for place in range(start, len(text)):
+        depth += {"(": 1, "{": 1, ")": -1, "}": -1}.get(text[place], 0)
+        if depth == 0:
+            return place + 1
+    raise ValueError(f"no end: {text[start:start + 40]}")
+
+
+def term_value(term, names):
+    """Of what stands between two &&: whether it holds, or None where the kernel must ask."""
+    term = term.strip()
+    if count := re.fullmatch(r"\w+ < (?:2 \* )?scene->(\w+)", term):
+        return None if COUNTS.get(count[1], "HAS_SPHERES") in names else False
+    if not re.fullmatch(r"!?(HAS_|METHOD_|FADED_|ORIGIN_)\w+( > 0)?", term):
+        return None
+    return value_of(term, names)
+
+
+def resolved(lines, names):
+    """What plain if, and loops to a count, leave of them to a stage that knows `names`."""
+    text = "\n".join(lines)
+    place = 0
+    while found := re.compile(r"^ *(if|for) \(", re.MULTILINE).search(text, place):
+        end = closing(text, found.end() - 1)
+        head = text[found.end():end - 1]
+        condition = head.split(";")[1] if found[1] == "for" else head
+        terms = [] if "||" in condition else condition.split("&&")
+        values = [term_value(term, names) for term in terms]
+        body = text.find("{", end)
+        place = found.end()
+        if body != end + 1 or all(value is None for value in values):
+            continue
+        after = closing(text, body)
+        if False in values:
+            text = text[:found.start()] + text[after + 1:]
+            place = found.start()
+        elif rest := [term for term, value in zip(terms, values) if value is None]:
+            text = text[:found.end()] + head.replace(condition, "&&".join(rest).lstrip()) + text[end - 1:]
+        else:  # always: what is within stands alone
+            inner = re.sub(r"^    ", "", text[body + 2:after - 1].rstrip(" "), flags=re.MULTILINE)
+            text = text[:found.start()] + inner + text[after + 1:]
+            place = found.start()
+    return text.splitlines()
 
 
 def code_of(line):
@@ -143,6 +198,32 @@ def reached(files, names):
             for file, of_file in pieces.items()}
 
 
+def read_members(files):
+    """Without members of structs that nothing reads, and what is put into them."""
+    text = "\n".join(code_of(line) for lines in files.values() for line in lines)
+    ours = "\n".join(code_of(line) for file, lines in files.items() if file.suffix == ".cl"
+                     for line in lines)  # those of a .h are the host's too
+    written = r"(?:\.|->)%s(?:\[[^]]*\])?(?:\.\w+)? = "
+    unread = {name for struct in re.findall(r"^typedef struct \w+ {\n(.*?)^}", ours, re.MULTILINE | re.DOTALL)
+              for name in re.findall(r"[ *](\w+)(?:\[\w+\])*;$", struct, re.MULTILINE)
+              if len(re.findall(r"(?:\.|->)%s\b" % name, text))
+              == len(re.findall(written % name, text))}
+    kept = {}
+    for file, lines in files.items():
+        kept[file] = []
+        inside = False  # of a statement that is left out
+        for line in lines:
+            code = code_of(line)
+            name = re.match(r"    [\w ]+[ *](\w+)(?:\[\w+\])*;$", code) \
+                or re.match(r"\s*[\w>.\[\]-]*(?:\.|->)(\w+)(?:\[[^]]*\])? = ", code)
+            inside = inside or bool(name and name[1] in unread)
+            if not inside:
+                kept[file].append(line)
+            elif code.endswith((";", ",")):
+                inside = False
+    return kept
+
+
 def lesson(stage):
     """What a reader of the stage reads: the lines of each file."""
     number = number_of(stage)
@@ -152,7 +233,11 @@ def lesson(stage):
             names |= known
     files = {}
     included(stage / "kernel.cl", files)
-    files = reached({file: learnt(lines, names) for file, lines in files.items()}, names)
+    files = {file: resolved(learnt(lines, names), names) for file, lines in files.items()}
+    before = None
+    while files != before:  # what is left out may have been all that asked for something else
+        before = files
+        files = reached(read_members(files), names)
     for first, file in BESIDE.items():
         if first <= number:
             files[ROOT / file] = (ROOT / file).read_text().splitlines()

@@ -5,6 +5,8 @@
 #include <array>
 #include <functional>
 #include <initializer_list>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -158,6 +160,18 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     return {};
 }
 
+// Of the argument that says how many there are; none for any other.
+std::optional<cl_int> count_of(const std::string &name, const Scene &scene) {
+    const std::pair<const char *, std::size_t> counts[] = {{"sphere_count", scene.spheres.size()},
+                                                           {"plane_count", scene.planes.size()},
+                                                           {"light_count", scene.lights.size()},
+                                                           {"triangle_count", scene.triangles.size()}};
+    const auto *found =
+        std::ranges::find(counts, name, [](const auto &count) { return count.first; });
+    return found == std::end(counts) ? std::nullopt
+                                     : std::optional(static_cast<cl_int>(found->second));
+}
+
 void require_room(const cl::Device &device, const std::string &name, std::size_t bytes,
                   const Scene &scene) {
     const std::size_t largest = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
@@ -170,31 +184,29 @@ void require_room(const cl::Device &device, const std::string &name, std::size_t
 
 }  // namespace
 
-std::vector<std::string> argument_order(const SceneNeeds &needs, const Methods &methods,
-                                        int stage) {
-    const auto has = [&needs](const char *name) {
-        return std::ranges::find(needs, name, &SceneNeeds::value_type::first) != needs.end();
-    };
+std::vector<std::string> argument_order(const SceneNeeds &needs, int stage) {
+    const auto has = [&needs](const char *name) { return value_of(needs, name) != 0; };
     std::vector<std::string> order{"image"};
     const auto add = [&order](bool is_there, std::initializer_list<const char *> names) {
         if (is_there) {
             order.insert(order.end(), names.begin(), names.end());
         }
     };
-    const bool meshes = has("TRIANGLE_COUNT");
-    const bool tree = has("BVH_WIDTH");
+    const bool meshes = has("HAS_TRIANGLES");
+    const bool tree = has("HAS_TREE");
     add(stage > 1, {"ray_counts"});
-    add(true, {"camera", "background"});
-    add(has("SPHERE_COUNT"), {"spheres"});
-    add(has("PLANE_COUNT"), {"planes"});
-    add(has("MATERIAL_COUNT"), {"materials"});
-    add(has("LIGHT_COUNT"), {"lights"});
-    add(meshes, {"triangles", "vertex_normals"});
+    add(true, {"camera"});
+    add(has("HAS_SPHERES"), {"spheres", "sphere_count"});
+    add(has("HAS_PLANES"), {"planes", "plane_count"});
+    add(has("HAS_MATERIALS"), {"materials"});
+    add(has("HAS_LIGHTS"), {"lights", "light_count"});
+    add(meshes, {"triangles", "triangle_count", "vertex_normals"});
     add(tree, {"facets", "bvh_nodes"});
-    add(tree && choice(methods, "triangle") == "baldwin_weber", {"facet_maps"});
     add(meshes && !tree, {"vertex_positions"});
+    add(has("HAS_FACET_MAPS"), {"facet_maps"});
     add(has("HAS_MESH_TEXTURES"), {"vertex_texture_coordinates"});
     add(has("HAS_TEXTURES"), {"textures"});
+    add(true, {"background"});
     return order;
 }
 
@@ -230,6 +242,8 @@ DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, c
         const std::string &name = names[i];
         if (name == "background") {
             kernel.setArg(i, to_float4(scene.background));
+        } else if (const std::optional<cl_int> count = count_of(name, scene)) {
+            kernel.setArg(i, *count);
         } else if (name == "textures") {
             textures_.emplace(context, device, scene, decode);
             bytes_[name] = textures_->bytes();
@@ -240,7 +254,10 @@ DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, c
             buffers_[name] = cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                         bytes.size(), bytes.data());
             kernel.setArg(i, buffers_[name]);
+        } else {
+            continue;  // no part of a scene
         }
+        set_.insert(name);
     }
 }
 

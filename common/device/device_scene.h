@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,9 +28,7 @@ public:
                 Transfer decode = Transfer::none, const Bvh &bvh = {});
 
     // Whether that argument of the kernel is part of the scene, and was set.
-    bool has_set(const std::string &name) const {
-        return name == "background" || bytes_.contains(name);
-    }
+    bool has_set(const std::string &name) const { return set_.contains(name); }
     // The argument `textures`, where the scene has any.
     const std::optional<TextureArray> &textures() const { return textures_; }
     // What lies on the device, by argument.
@@ -39,10 +38,11 @@ private:
     std::map<std::string, cl::Buffer> buffers_;
     std::optional<TextureArray> textures_;
     std::map<std::string, std::size_t> bytes_;
+    std::set<std::string> set_;
 };
 
 // The arguments of `stage`'s kernel for such needs, as the kernels declare them.
-std::vector<std::string> argument_order(const SceneNeeds &needs, const Methods &methods, int stage);
+std::vector<std::string> argument_order(const SceneNeeds &needs, int stage);
 
 // The names of a kernel's arguments, in order (it was built with -cl-kernel-arg-info). Of a driver
 // that keeps no names, `order`; throws DeviceError where the kernel has more arguments or fewer.

@@ -32,7 +32,8 @@ public:
         : checkout_(checkout) {}
 
     void append(const std::string &path) {
-        if (!included_.insert(path).second) {
+        const bool each_time = path.ends_with(".inc");  // within a declaration
+        if (!included_.insert(path).second && !each_time) {
             return;
         }
         text_ += fmt::format("#line 1 \"{}\"\n", path);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "device/left_out.h"
 
-#include <algorithm>
-
 namespace stagelight {
 namespace {
 
@@ -14,23 +12,18 @@ struct Part {
 };
 
 constexpr Part parts[] = {
-    {"SPHERE_COUNT", 1, "spheres", "there is none"},
-    {"PLANE_COUNT", 1, "planes", "there is none"},
-    {"LIGHT_COUNT", 2, "lights", "there is none, or nothing diffuse for them to light"},
+    {"HAS_SPHERES", 1, "spheres", "there is none"},
+    {"HAS_PLANES", 1, "planes", "there is none"},
+    {"HAS_LIGHTS", 2, "lights", "there is none, or nothing diffuse for them to light"},
     {"HAS_DIFFUSE", 2, "diffuse shading", "no material is diffuse or glossy"},
     {"HAS_REFLECTION", 3, "mirrors", "no material is mirror or glossy"},
     {"HAS_DIELECTRIC", 4, "refraction", "no material is dielectric"},
-    {"TRIANGLE_COUNT", 5, "triangles", "there is no mesh"},
+    {"HAS_TRIANGLES", 5, "triangles", "there is no mesh"},
     {"HAS_TEXTURES", 6, "textures", "no material has a texture"},
     {"HAS_MESH_TEXTURES", 6, "texture coordinates of vertices", "no mesh has a texture"},
-    {"BVH_WIDTH", 9, "tree", "no triangles"},
+    {"HAS_TREE", 9, "tree", "no triangles"},
     {"HAS_DIELECTRIC_MESH", 10, "smooth glass", "no mesh is dielectric"},
 };
-
-int value_of(const SceneNeeds &needs, const char *name) {
-    const auto need = std::ranges::find(needs, name, &SceneNeeds::value_type::first);
-    return need == needs.end() ? 0 : need->second;
-}
 
 }  // namespace
 
@@ -41,7 +34,7 @@ std::vector<std::pair<std::string, std::string>> left_out(const SceneNeeds &need
             left.emplace_back(what, why);
         }
     }
-    if (value_of(needs, "LIGHT_COUNT") > 0
+    if (value_of(needs, "HAS_LIGHTS") > 0
         && value_of(needs, "HAS_POINT_LIGHT") != value_of(needs, "HAS_DIRECTIONAL_LIGHT")) {
         left.emplace_back("branch on the type of light", "all lights are of one type");
     }

@@ -25,7 +25,7 @@ const std::vector<Method> &all_methods() {
         {"triangle", "threshold", acceleration_stage, "-D METHOD_TRIANGLE=threshold",
          "Möller and Trumbore 1997, as in their code: no determinant below 1e-5"},
         {"triangle", "baldwin_weber", acceleration_stage,
-         "-D METHOD_TRIANGLE=baldwin_weber -D HAS_FACET_MAPS=1",
+         "-D METHOD_TRIANGLE=baldwin_weber",
          "Baldwin and Weber 2016: each triangle brings its map"},
         {"box", "robust", acceleration_stage, "",
          "by comparing, with room for 2 ulp of each coordinate (after Ize 2013)"},
@@ -33,19 +33,19 @@ const std::vector<Method> &all_methods() {
          "Kay and Kajiya 1986, by comparing"},
         {"box", "fminmax", acceleration_stage, "-D METHOD_BOX=fminmax",
          "Kay and Kajiya 1986, by fmin and fmax"},
-        {"origin", "error_bound", 2, "",
+        {"origin", "error_bound", 2, "-D ORIGIN_IS_SCALED=0",
          "PBRT 3rd edition, section 3.9: by what rounding can have done to the position"},
-        {"origin", "scaled", 2, "-D METHOD_ORIGIN=scaled -D METHOD_ORIGIN_SCALED=1",
+        {"origin", "scaled", 2, "-D METHOD_ORIGIN=scaled -D ORIGIN_IS_SCALED=1",
          "off the surface by 2e-6 of the largest number in play"},
-        {"origin", "fixed", 2, "-D METHOD_ORIGIN=fixed", "off the surface by 0.001"},
-        {"origin", "integer", 2, "-D METHOD_ORIGIN=integer",
+        {"origin", "fixed", 2, "-D METHOD_ORIGIN=fixed -D ORIGIN_IS_SCALED=0", "off the surface by 0.001"},
+        {"origin", "integer", 2, "-D METHOD_ORIGIN=integer -D ORIGIN_IS_SCALED=0",
          "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
         {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
         {"fresnel", "exact", fading_stage, "-D METHOD_FRESNEL=exact",
          "Fresnel's equations, for light that is not polarised"},
         {"fresnel", "none", glass_stage, "-D METHOD_FRESNEL=none",
          "no reflection, short of total internal reflection"},
-        {"interior", "full", glass_stage, "",
+        {"interior", "full", glass_stage, "-D METHOD_INTERIOR_PAPER=0",
          "Snell, Schlick and Beer at every wall, to the depth limit"},
         {"interior", "paper", glass_stage, "-D METHOD_INTERIOR_PAPER=1",
          "the paper, section 5: once through the sphere, no reflection inside"},
@@ -138,20 +138,18 @@ std::string choice(const Methods &methods, const std::string &kind) {
 }
 
 bool matters(const std::string &kind, const SceneNeeds &needs) {
-    const auto has = [&needs](const char *name) {
-        return std::ranges::find(needs, name, &SceneNeeds::value_type::first) != needs.end();
-    };
+    const auto has = [&needs](const char *name) { return value_of(needs, name) != 0; };
     const bool glass = has("HAS_DIELECTRIC");
     const bool bounces = glass || has("HAS_REFLECTION");
     const std::map<std::string, bool> known = {
-        {"sphere", has("SPHERE_COUNT")},
-        {"triangle", has("TRIANGLE_COUNT")},
-        {"box", has("TRIANGLE_COUNT")},
-        {"storage", has("TRIANGLE_COUNT")},
-        {"nodes", has("TRIANGLE_COUNT")},
-        {"origin", has("LIGHT_COUNT") || bounces},
+        {"sphere", has("HAS_SPHERES")},
+        {"triangle", has("HAS_TRIANGLES")},
+        {"box", has("HAS_TRIANGLES")},
+        {"storage", has("HAS_TRIANGLES")},
+        {"nodes", has("HAS_TRIANGLES")},
+        {"origin", has("HAS_LIGHTS") || bounces},
         {"fresnel", glass},
-        {"interior", glass && has("SPHERE_COUNT")},
+        {"interior", glass && has("HAS_SPHERES")},
         {"transmission", glass},
         {"filtering", has("HAS_TEXTURES")},
         {"decode", has("HAS_TEXTURES")},

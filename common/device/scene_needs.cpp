@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace stagelight {
 namespace {
 
@@ -64,8 +66,8 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     const bool lit = diffuse && !scene.lights.empty();
     const bool reflection = glossy || uses(MaterialType::mirror);
     // #region shading_needs
-    needs.emplace_back("MATERIAL_COUNT", static_cast<int>(scene.materials.size()));
-    needs.emplace_back("LIGHT_COUNT", lit ? static_cast<int>(scene.lights.size()) : 0);
+    needs.emplace_back("HAS_MATERIALS", !scene.materials.empty());
+    needs.emplace_back("HAS_LIGHTS", lit);
     needs.emplace_back("HAS_POINT_LIGHT", lit && has_light(scene, LightType::point));
     needs.emplace_back("HAS_DIRECTIONAL_LIGHT", lit && has_light(scene, LightType::directional));
     needs.emplace_back("HAS_DIFFUSE", diffuse);
@@ -109,11 +111,32 @@ int depth_of(const Scene &scene, int stage) {
     // #endregion depth_of
 }
 
+int value_of(const SceneNeeds &needs, const std::string &name) {
+    const auto need = std::ranges::find(needs, name, &SceneNeeds::value_type::first);
+    return need == needs.end() ? 0 : need->second;
+}
+
+std::string definitions_of(const SceneNeeds &needs) {
+    constexpr std::pair<const char *, int> smallest[] = {
+        {"HAS_SPHERES", 0},  {"HAS_PLANES", 0},          {"HAS_TRIANGLES", 0},
+        {"HAS_TREE", 0},  {"HAS_FACET_MAPS", 0},   {"HAS_MATERIALS", 0},       {"HAS_LIGHTS", 0},
+        {"HAS_POINT_LIGHT", 0}, {"HAS_DIRECTIONAL_LIGHT", 0}, {"HAS_REFLECTION", 0},
+        {"HAS_DIELECTRIC", 0}, {"HAS_DIELECTRIC_MESH", 0}, {"HAS_TEXTURES", 0},
+        {"HAS_MESH_TEXTURES", 0}, {"MAX_DEPTH", 0}, {"FADED_ONE_IN", 0},
+        {"STACK_SIZE", 1}, {"WIDTH", 1}, {"BVH_WIDTH", 2}, {"BVH_STACK_SIZE", 1},
+    };
+    std::string definitions;
+    for (const auto &[name, least] : smallest) {
+        definitions += fmt::format(" -D {}={}", name, std::max(least, value_of(needs, name)));
+    }
+    return definitions;
+}
+
 SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at) {
     SceneNeeds needs;
-    needs.emplace_back("SPHERE_COUNT", static_cast<int>(scene.spheres.size()));
-    needs.emplace_back("PLANE_COUNT", static_cast<int>(scene.planes.size()));
-    needs.emplace_back("TRIANGLE_COUNT", static_cast<int>(scene.triangles.size()));
+    needs.emplace_back("HAS_SPHERES", !scene.spheres.empty());
+    needs.emplace_back("HAS_PLANES", !scene.planes.empty());
+    needs.emplace_back("HAS_TRIANGLES", !scene.triangles.empty());
     if (stage > 1) {
         add_shading_needs(needs, scene, max_depth, stage >= fading_stage ? fade_at : 0);
     }

@@ -142,16 +142,11 @@ std::string build_options(const cl::Device &device, const SceneNeeds &needs,
     const cl_device_fp_config config = is_double(methods)
                                            ? device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>()
                                            : device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
-    if (config & CL_FP_FMA) {
-        options += " -D HAS_FMA=1";
-    }
+    options += fmt::format(" -D HAS_FMA={}", config & CL_FP_FMA ? 1 : 0);
     if (config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT && !is_double(methods)) {
         options += " -cl-fp32-correctly-rounded-divide-sqrt";
     }
-    for (const auto &[name, value] : needs) {
-        options += fmt::format(" -D {}={}", name, value);
-    }
-    return options + options_of(methods);
+    return options + definitions_of(needs) + options_of(methods);
 }
 
 void warn_of_width(const cl::Device &device, const Methods &methods) {
@@ -218,8 +213,12 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, layout); });
     }
     if (!bvh.nodes.empty()) {
+        constexpr int step = 16;  // so that trees of much the same depth share a program
+        needs_.emplace_back("HAS_TREE", 1);
+        needs_.emplace_back("HAS_FACET_MAPS",
+                            choice(settings.methods, "triangle") == "baldwin_weber" ? 1 : 0);
         needs_.emplace_back("BVH_WIDTH", bvh.layout.width);
-        needs_.emplace_back("BVH_STACK_SIZE", bvh.stack_size);
+        needs_.emplace_back("BVH_STACK_SIZE", (bvh.stack_size + step - 1) / step * step);
     }
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
@@ -233,7 +232,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
         names_ =
-            argument_names(kernel_, argument_order(needs_, settings.methods, stage_number(stage)));
+            argument_names(kernel_, argument_order(needs_, stage_number(stage)));
         scene_.emplace(context, device, kernel_, names_, scene, decode, bvh);
         if (settings.split && scene_->textures()) {
             plain_textures_.emplace(context, device, scene, Transfer::none);

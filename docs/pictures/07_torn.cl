@@ -6,6 +6,6 @@
     Camera moved = camera;
     moved.position += pixel.y < camera.size.y * 11 / 20 ? 200.0f * camera.right : (float4)(0.0f);
     const Ray primary = camera_ray(&moved, pixel);
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color = trace(&scene, primary, &counts, textures);
     write_pixel(image, camera.size.x, pixel, color);
 // #endregion render_pixel

@@ -16,12 +16,16 @@ static float3 normals_and_distances(const Surface *surface, const float distance
 // #endregion normals_and_distances
 
 // #region render
-__kernel void render(PICTURE image, const Camera camera, SCENE_PARAMETERS) {
+__kernel void render(PICTURE image, const Camera camera,
+#include "scene_parameters.inc"
+) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
         return;
     }
-    const Scene scene = SCENE_ARGUMENTS;
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const Ray ray = camera_ray(&camera, pixel);
     const Hit hit = closest_hit(&scene, ray);
     float3 color = XYZ(scene.background);

@@ -9,12 +9,15 @@
 
 // #region render
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
-                     SCENE_PARAMETERS) {
+#include "scene_parameters.inc"
+) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
         return;
     }
-    const Scene scene = SCENE_ARGUMENTS;
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const Ray ray = camera_ray(&camera, pixel);
     const Hit hit = closest_hit(&scene, ray);
     RayCounts counts = {0, 0, 0, 0};

@@ -114,9 +114,7 @@ private:
         if (method.kind != "width") {
             return method.name == choice({}, method.kind);
         }
-        const SceneNeeds &needs = renderer_.stage_kernel().needs();
-        const auto width = std::ranges::find(needs, "WIDTH", &SceneNeeds::value_type::first);
-        return method.name == std::to_string(width->second);
+        return method.name == std::to_string(value_of(renderer_.stage_kernel().needs(), "WIDTH"));
     }
 
     void add_methods() {

@@ -60,7 +60,7 @@ TEST_F(Stage01Stats, NameTheDeviceAndTheBuild) {
         EXPECT_NE(device.at(field), "") << field;
     }
     EXPECT_GE(device.at("compute_units"), 1);
-    expect_part(stats.at("build").at("options"), "-D SPHERE_COUNT=7 -D PLANE_COUNT=1");
+    expect_part(stats.at("build").at("options"), "-D HAS_SPHERES=1 -D HAS_PLANES=1");
     EXPECT_GT(stats.at("build").at("milliseconds"), 0);
 }
 
@@ -71,7 +71,7 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
     EXPECT_EQ(stats.at("stage"), "01_primitives");
     EXPECT_EQ(stats.at("size"), json({32, 20}));
     EXPECT_EQ(stats.at("samples"), 1);
-    EXPECT_EQ(stats.at("needs"), json({{"SPHERE_COUNT", 7}, {"PLANE_COUNT", 1}}));
+    EXPECT_EQ(stats.at("needs"), json({{"HAS_SPHERES", 1}, {"HAS_PLANES", 1}}));
     EXPECT_EQ(stats.at("bytes_on_device"), json({{"spheres", 7 * 32},
                                                  {"planes", 32},
                                                  {"image", 32 * 20 * 16},

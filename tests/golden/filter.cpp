@@ -37,7 +37,7 @@ double filter_error(const cl::Device &device, Transfer decode) {
     const cl::CommandQueue queue(context, device);
     const cl::Program program =
         build_program(context, kernel_source("tests/kernels/texture.cl"),
-                      build_options(device, {{"MATERIAL_COUNT", 1}, {"HAS_TEXTURES", 1}}, {}));
+                      build_options(device, {{"HAS_MATERIALS", 1}, {"HAS_TEXTURES", 1}}, {}));
     cl::Kernel kernel(program, "colors");
     const DeviceScene on_device(context, device, kernel, argument_names(kernel), scene, decode);
     const std::size_t bytes = count * sizeof places[0];

@@ -24,7 +24,7 @@ TEST_P(KernelsStage08Texture, EveryLayerHasItsOwnColor) {
         return std::array{10 + 30 * picture, 200 - 20 * picture, picture % 2 == 0 ? 50 : 150};
     });
     for (const Transfer decode : curves) {
-        expect_colors(build("texture.cl", needs_of_pictures(scene), {}, decode), scene, decode, 0,
+        expect_colors(build("texture.cl", with_pictures, {}, decode), scene, decode, 0,
                       half_rounding);
     }
 }
@@ -38,7 +38,7 @@ TEST_P(KernelsStage08Texture, TheFilterBlendsLight) {
         return std::array{red, green, code()};
     });
     for (const Transfer decode : curves) {
-        expect_colors(build("texture.cl", needs_of_pictures(scene), {}, decode), scene, decode,
+        expect_colors(build("texture.cl", with_pictures, {}, decode), scene, decode,
                       4 * ulp, std::sqrt(3.0) * half_rounding);
     }
 }
@@ -57,7 +57,7 @@ TEST_P(KernelsStage08Texture, All256CodesComeBack) {
     scene.materials.push_back({.texture = 0, .where = {}});
     for (const Transfer decode : curves) {
         const auto encode = decode == Transfer::srgb ? exact::srgb_encode : exact::power_encode;
-        const auto colors = build("texture.cl", needs_of_pictures(scene), {}, decode)
+        const auto colors = build("texture.cl", with_pictures, {}, decode)
                                 .run_in<vec4>(scene, "colors", centres);
         Worst red("red"), green("green");
         for (int code = 0; code < 256; ++code) {

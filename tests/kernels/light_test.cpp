@@ -18,7 +18,7 @@ using KernelsStage02Light = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage02Light, each_device(), device_name);
 
 const SceneNeeds both_kinds{
-    {"LIGHT_COUNT", 1}, {"HAS_POINT_LIGHT", 1}, {"HAS_DIRECTIONAL_LIGHT", 1}};
+    {"HAS_LIGHTS", 1}, {"HAS_POINT_LIGHT", 1}, {"HAS_DIRECTIONAL_LIGHT", 1}};
 
 struct Illumination {
     vec4 direction, irradiance;

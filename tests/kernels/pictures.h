@@ -37,9 +37,7 @@ template <typename Texel> Scene scene_of_pictures(Texel texel) {
     return scene;
 }
 
-inline SceneNeeds needs_of_pictures(const Scene &scene) {
-    return {{"MATERIAL_COUNT", int(scene.materials.size())}, {"HAS_TEXTURES", 1}};
-}
+inline const SceneNeeds with_pictures{{"HAS_MATERIALS", 1}, {"HAS_TEXTURES", 1}};
 
 // Places in and far outside of each picture, on its border, at its texels' centres.
 inline std::vector<glm::vec4> places(const Scene &scene) {

@@ -3,9 +3,7 @@
 #include "any_hit.cl"
 #include "closest_hit.cl"
 #include "surface.cl"
-#if MATERIAL_COUNT > 0
 #include "diffuse.cl"
-#endif
 
 typedef struct Found {
     float4 position;          // distance in w
@@ -17,8 +15,12 @@ typedef struct Found {
 } Found;
 
 __kernel void closest(__global Found *results, __global const float4 *origins,
-                      __global const float4 *directions, SCENE_PARAMETERS) {
-    const Scene scene = SCENE_ARGUMENTS;
+                      __global const float4 *directions,
+#include "scene_parameters.inc"
+) {
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const size_t i = get_global_id(0);
     const Ray ray = {origins[i].xyz, directions[i].xyz};
     const Hit hit = closest_hit(&scene, ray);
@@ -31,38 +33,45 @@ __kernel void closest(__global Found *results, __global const float4 *origins,
         found.normal = (float4)(surface.normal, surface.offset);
         found.geometric_normal = (float4)(surface.geometric_normal, surface.from_behind);
         found.material = surface.material;
-#if HAS_TEXTURES
-        found.texture_coordinates = surface.texture_coordinates;
-#endif
+        if (HAS_TEXTURES) {
+            found.texture_coordinates = surface.texture_coordinates;
+        }
     }
     results[i] = found;
 }
 
-#if HAS_DIRECTIONAL_LIGHT
 __kernel void any_ray(__global int *results, __global const float4 *origins,
-                      __global const float4 *directions, SCENE_PARAMETERS) {
-    const Scene scene = SCENE_ARGUMENTS;
+                      __global const float4 *directions,
+#include "scene_parameters.inc"
+) {
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const size_t i = get_global_id(0);
     const Ray ray = {origins[i].xyz, directions[i].xyz};
     results[i] = any_hit_ray(&scene, ray);
 }
-#endif
 
-#if HAS_POINT_LIGHT
 __kernel void any_line(__global int *results, __global const float4 *origins,
-                       __global const float4 *destinations, SCENE_PARAMETERS) {
-    const Scene scene = SCENE_ARGUMENTS;
+                       __global const float4 *destinations,
+#include "scene_parameters.inc"
+) {
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const size_t i = get_global_id(0);
     const Line line = {origins[i].xyz, destinations[i].xyz};
     results[i] = any_hit_line(&scene, line);
 }
-#endif
 
-#if MATERIAL_COUNT > 0
 // In w the number of shadow rays; -1 where nothing was hit.
 __kernel void direct(__global float4 *results, __global const float4 *origins,
-                     __global const float4 *directions, SCENE_PARAMETERS) {
-    const Scene scene = SCENE_ARGUMENTS;
+                     __global const float4 *directions,
+#include "scene_parameters.inc"
+) {
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const size_t i = get_global_id(0);
     const Ray ray = {origins[i].xyz, directions[i].xyz};
     const Hit hit = closest_hit(&scene, ray);
@@ -74,4 +83,3 @@ __kernel void direct(__global float4 *results, __global const float4 *origins,
         results[i] = (float4)(light, counts.shadow);
     }
 }
-#endif

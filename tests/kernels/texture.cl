@@ -12,10 +12,14 @@ __kernel void coordinates(__global float2 *results, __global const float4 *norma
 
 #if HAS_TEXTURES
 // `places`: u, v and the index of a material.
-__kernel void colors(__global float4 *results, __global const float4 *places, SCENE_PARAMETERS) {
-    const Scene scene = SCENE_ARGUMENTS;
+__kernel void colors(__global float4 *results, __global const float4 *places,
+#include "scene_parameters.inc"
+) {
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     const size_t i = get_global_id(0);
     const Material material = scene.materials[convert_int(places[i].z)];
-    results[i] = (float4)(texture_color(&material, places[i].xy TEXTURE_ARGUMENT), 1.0f);
+    results[i] = (float4)(texture_color(&material, places[i].xy, textures), 1.0f);
 }
 #endif

@@ -77,7 +77,7 @@ TEST_P(KernelsStage06Texture, EveryLayerHasItsOwnColor) {
     const Scene scene = scene_of_pictures([](int picture, int, int) {
         return std::array{10 + 30 * picture, 200 - 20 * picture, picture % 2 == 0 ? 50 : 150};
     });
-    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, Transfer::none, 0, 4 * ulp);
+    expect_colors(build("texture.cl", with_pictures), scene, Transfer::none, 0, 4 * ulp);
 }
 
 // All texels at random: the place is rounded in proportion to the size, and a step from one
@@ -90,7 +90,7 @@ TEST_P(KernelsStage06Texture, TheFilterBlendsFourTexelsAcrossTheWrapToo) {
         return std::array{int(dice.between(0, 256 - 1e-6)), int(dice.between(0, 256 - 1e-6)),
                           int(dice.between(0, 256 - 1e-6))};
     });
-    expect_colors(build("texture.cl", needs_of_pictures(scene)), scene, Transfer::none, 4 * ulp,
+    expect_colors(build("texture.cl", with_pictures), scene, Transfer::none, 4 * ulp,
                   on_rusticl() ? 2.0 / 256 + 0.5 / 255 : 4 * ulp);
 }
 
@@ -98,7 +98,7 @@ TEST_P(KernelsStage06Texture, AMaterialWithoutATextureIsWhite) {
     const Scene scene = scene_of_pictures([](int, int, int) { return std::array{0, 0, 0}; });
     const std::vector<vec4> place{{0.3, 0.7, scene.materials.size() - 1, 0}};
     const auto colors =
-        build("texture.cl", needs_of_pictures(scene)).run_in<vec4>(scene, "colors", place);
+        build("texture.cl", with_pictures).run_in<vec4>(scene, "colors", place);
     EXPECT_EQ(colors[0], vec4(1));
 }
 

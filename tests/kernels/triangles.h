@@ -14,7 +14,7 @@ using glm::dvec3, glm::vec3, glm::vec4;
 using Wide = reference::Vec<long double>;  // the truth: float inputs are exact in it
 
 // TRIANGLE_COUNT lets scene.cl know of meshes.
-inline const SceneNeeds with_triangles{{"TRIANGLE_COUNT", 1}};
+inline const SceneNeeds with_triangles{{"HAS_TRIANGLES", 1}};
 
 // Rays, or lines: `ends` are directions or destinations.
 struct TriangleCases {

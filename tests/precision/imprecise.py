@@ -7,7 +7,7 @@ import re
 import shutil
 import sys
 
-KERNEL_FILES = ("kernels/*.cl", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
+KERNEL_FILES = ("kernels/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
 # Where a "/" divides numbers of the scene. Elsewhere it divides constants or counts.
 DIVIDE = ("beam", "dielectric", "fresnel", "light", "plane", "sphere", "texture_coordinates", "triangle", "wide",
           "wide_hit", "wide_light", "wide_sphere", "wide_triangle")

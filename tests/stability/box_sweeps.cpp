@@ -76,7 +76,7 @@ void measure(Sweep &sweep, const std::string &series, bool has_room, DeviceProgr
 }
 
 SceneNeeds with_tree(int width) {
-    return {{"TRIANGLE_COUNT", 1}, {"WIDTH", width}, {"BVH_WIDTH", 4}, {"BVH_STACK_SIZE", 1}};
+    return {{"HAS_TRIANGLES", 1}, {"HAS_TREE", 1}, {"WIDTH", width}, {"BVH_WIDTH", 4}, {"BVH_STACK_SIZE", 1}};
 }
 
 Question about(const char *name, const char *title, const char *x_label, const char *stated) {

@@ -15,7 +15,7 @@ using Exact = glm::vec<3, long double>;
 using Corners = std::array<glm::dvec3, 3>;
 
 inline SceneNeeds with_maps(int width) {
-    return {{"WIDTH", width}, {"TRIANGLE_COUNT", 1}, {"BVH_WIDTH", 4}, {"HAS_FACET_MAPS", 1}};
+    return {{"WIDTH", width}, {"HAS_TRIANGLES", 1}, {"HAS_TREE", 1}, {"BVH_WIDTH", 4}, {"HAS_FACET_MAPS", 1}};
 }
 
 inline device::Facet facet_of(const Corners &corners) {

@@ -124,7 +124,7 @@ TEST_P(StabilityStage06Filtering, ASharpEdge) {
         widths.push_back(width);
     }
     const Scene scene = with_edges(widths);
-    const SceneNeeds needs{{"MATERIAL_COUNT", int(widths.size())}, {"HAS_TEXTURES", 1}};
+    const SceneNeeds needs{{"HAS_MATERIALS", 1}, {"HAS_TEXTURES", 1}};
     const auto question = [](const char *name, const char *title, const char *x_label) {
         return Question{.name = name,
                         .kind = "filtering",

@@ -13,8 +13,7 @@ static float rough(const float3 normal, const float3 to_light, const float3 to_e
 static float3 direct_light(const Scene *scene, const Surface *surface, const float3 to_eye,
                            RayCounts *counts) {
     float3 sum = (float3)(0.0f);
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         if (dot(surface->normal, illumination.direction) > 0.0f) {
@@ -25,7 +24,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, const flo
             }
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

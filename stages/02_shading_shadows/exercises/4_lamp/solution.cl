@@ -3,7 +3,6 @@
 
 // kernels/diffuse.cl
 // #region direct_light
-#if LIGHT_COUNT > 0
 #define LAMP_RADIUS 0.7f
 #define LAMP_POINTS 64
 #define GOLDEN_ANGLE 2.3999632f  // radians
@@ -13,7 +12,6 @@
 // 44, 1979).
 static float lit_share(const Scene *scene, const Light light, const float3 origin,
                        const float3 direction, RayCounts *counts) {
-#if HAS_POINT_LIGHT
     if (is_point(light)) {
         const float3 size = fabs(direction);
         const float3 aside = size.x <= min(size.y, size.z) ? (float3)(1.0f, 0.0f, 0.0f)
@@ -32,16 +30,13 @@ static float lit_share(const Scene *scene, const Light light, const float3 origi
         counts->shadow += LAMP_POINTS;
         return (float)seen / LAMP_POINTS;
     }
-#endif
     ++counts->shadow;
     return in_shadow(scene, light, origin) ? 0.0f : 1.0f;
 }
-#endif
 
 static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
     float3 sum = (float3)(0.0f);
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
@@ -51,7 +46,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
             sum += share * cosine * illumination.irradiance;
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

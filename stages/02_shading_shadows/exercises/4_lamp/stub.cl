@@ -3,7 +3,6 @@
 
 // kernels/diffuse.cl
 // #region direct_light
-#if LIGHT_COUNT > 0
 #define LAMP_RADIUS 0.7f
 #define LAMP_POINTS 64
 
@@ -13,12 +12,10 @@ static float lit_share(const Scene *scene, const Light light, const float3 origi
     ++counts->shadow;  // your turn
     return in_shadow(scene, light, origin) ? 0.0f : 1.0f;
 }
-#endif
 
 static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
     float3 sum = (float3)(0.0f);
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
@@ -28,7 +25,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
             sum += share * cosine * illumination.irradiance;
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

@@ -9,15 +9,18 @@ static float3 heat(const float share) {
 }
 
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,
-                     SCENE_PARAMETERS) {
+#include "scene_parameters.inc"
+) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     if (pixel.x >= camera.size.x || pixel.y >= camera.size.y) {
         return;
     }
-    const Scene scene = SCENE_ARGUMENTS;
+    const Scene scene = {
+#include "scene_members.inc"
+    };
     RayCounts counts = {0, 0, 0, 0, 0, 0};
     const Ray primary = camera_ray(&camera, pixel);
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);  // your turn
+    const float3 color = trace(&scene, primary, &counts, textures);  // your turn
     write_pixel(image, camera.size.x, pixel, color);
     add_ray_counts(&ray_counts[pixel.y], counts);
 }

@@ -6,7 +6,7 @@
 #define FOG_DENSITY 0.07f
 #define FOG_COLOR (float3)(0.66f, 0.68f, 0.7f)
 
-static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEXTURE_PARAMETER) {
+static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TEXTURES textures) {
     RayStack stack;
     stack.rays[0] = primary_ray(primary);
     stack.count = 1;
@@ -20,7 +20,7 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts TEX
         } else {
             const Surface surface = surface_at(scene, incoming.ray, hit);
             float3 weight;
-            if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts TEXTURE_ARGUMENT)) {
+            if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts, textures)) {
                 color += weight * direct_light(scene, &surface, counts);
             }
         }

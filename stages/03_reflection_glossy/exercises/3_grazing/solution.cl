@@ -5,7 +5,6 @@
 // kernels/shade.cl
 // #region shade_shares
     float diffuse = diffuse_share(&material);
-#if HAS_REFLECTION
     const float slope = 1.0f + dot(incoming->ray.direction, surface->normal);
     const float rise = slope * slope * slope * slope * slope;
     const float head_on = reflected_share(&material);
@@ -18,7 +17,6 @@
         spawn_reflected(stack, incoming, surface, reflected * incoming->weight, counts);
         diffuse = 1.0f - reflected;
     }
-#endif
     *direct_weight = diffuse * weight;
     return diffuse > 0.0f;
 // #endregion shade_shares

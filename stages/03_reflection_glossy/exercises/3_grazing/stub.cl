@@ -3,13 +3,11 @@
 
 // kernels/shade.cl
 // #region shade_shares
-#if HAS_REFLECTION
     // your turn
     const float reflected = reflected_share(&material);
     if (reflected > 0.0f) {
         spawn_reflected(stack, incoming, surface, reflected * weight, counts);
     }
-#endif
     const float diffuse = diffuse_share(&material);
     *direct_weight = diffuse * weight;
     return diffuse > 0.0f;

@@ -3,7 +3,6 @@
 
 // kernels/diffuse.cl
 // #region direct_light
-#if LIGHT_COUNT > 0
 // How much of a ray's way, from its origin to the distance `end`, lies within a sphere: see intersect_ray_sphere.
 static float way_within(const Ray ray, const float end, const Sphere sphere) {
     const float3 to_center = XYZ(sphere.center) - ray.origin;
@@ -17,8 +16,7 @@ static float way_within(const Ray ray, const float end, const Sphere sphere) {
 // The share of the light that comes along a shadow ray, which ends after the distance `end`.
 static float3 light_through(const Scene *scene, const Ray ray, const float end) {
     float3 share = (float3)(1.0f);
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         const Material material = scene->materials[sphere.material];
         const float within = way_within(ray, end, sphere);
@@ -28,23 +26,18 @@ static float3 light_through(const Scene *scene, const Ray ray, const float end) 
             return (float3)(0.0f);
         }
     }
-#endif
-#if PLANE_COUNT > 0
-    for (int i = 0; i < PLANE_COUNT; ++i) {
+    for (int i = 0; i < scene->plane_count; ++i) {
         const Plane plane = scene->planes[i];
         if (intersect_ray_plane(ray, XYZ(plane.normal), plane.offset) < end) {
             return (float3)(0.0f);
         }
     }
-#endif
     return share;
 }
-#endif
 
 static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
     float3 sum = (float3)(0.0f);
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
@@ -55,7 +48,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
             sum += cosine * illumination.irradiance * light_through(scene, ray, end);
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

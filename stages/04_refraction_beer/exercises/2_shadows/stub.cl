@@ -3,17 +3,14 @@
 
 // kernels/diffuse.cl
 // #region direct_light
-#if LIGHT_COUNT > 0
 // The share of the light that comes along a shadow ray, which ends after the distance `end`.
 static float3 light_through(const Scene *scene, const Ray ray, const float end) {
     return closest_hit(scene, ray).distance < end ? (float3)(0.0f) : (float3)(1.0f);  // your turn
 }
-#endif
 
 static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
     float3 sum = (float3)(0.0f);
-#if LIGHT_COUNT > 0
-    for (int i = 0; i < LIGHT_COUNT; ++i) {
+    for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
@@ -24,7 +21,6 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
             sum += cosine * illumination.irradiance * light_through(scene, ray, end);
         }
     }
-#endif
     return sum;
 }
 // #endregion direct_light

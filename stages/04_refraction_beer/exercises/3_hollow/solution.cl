@@ -5,8 +5,7 @@
 // #region each_sphere
 #define HOLLOW 0.85f  // the inner radius by the outer one
 
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);
@@ -16,7 +15,6 @@
                         SHAPE_SPHERE, i);
         }
     }
-#endif
 // #endregion each_sphere
 
 // kernels/surface.cl

@@ -5,13 +5,11 @@
 // #region each_sphere
 #define HOLLOW 0.85f  // the inner radius by the outer one
 
-#if SPHERE_COUNT > 0
-    for (int i = 0; i < SPHERE_COUNT; ++i) {
+    for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
         keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);  // your turn
     }
-#endif
 // #endregion each_sphere
 
 // kernels/surface.cl

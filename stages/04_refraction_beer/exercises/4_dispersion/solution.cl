@@ -13,7 +13,6 @@ typedef struct RayStack {
 
 // kernels/dielectric.cl
 // #region spawn_dielectric
-#if HAS_DIELECTRIC
 #define DISPERSION 0.05f
 
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
@@ -44,5 +43,4 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         }
     }
 }
-#endif
 // #endregion spawn_dielectric

@@ -11,7 +11,6 @@ typedef struct RayStack {
 
 // kernels/dielectric.cl
 // #region spawn_dielectric
-#if HAS_DIELECTRIC
 #define DISPERSION 0.05f
 
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
@@ -34,5 +33,4 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         push_ray(stack, refracted, &counts->refraction, counts);
     }
 }
-#endif
 // #endregion spawn_dielectric

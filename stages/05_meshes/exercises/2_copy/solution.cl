@@ -37,9 +37,9 @@ static Ray to_original(const Ray ray) {
 // kernels/closest_hit.cl
 // #region closest_triangle
     const Ray moved = to_original(ray);
-    for (int i = 0; i < 2 * TRIANGLE_COUNT; ++i) {
-        const bool is_copy = i >= TRIANGLE_COUNT;
-        const Edges triangle = triangle_edges(scene, is_copy ? i - TRIANGLE_COUNT : i);
+    for (int i = 0; i < 2 * scene->triangle_count; ++i) {
+        const bool is_copy = i >= scene->triangle_count;
+        const Edges triangle = triangle_edges(scene, is_copy ? i - scene->triangle_count : i);
         float2 barycentric;
         const float distance =
             intersect_ray_triangle(is_copy ? moved : ray, triangle, &barycentric);
@@ -53,7 +53,7 @@ static Ray to_original(const Ray ray) {
 // kernels/any_hit.cl
 // #region ray_any_triangle
     const Ray moved = to_original(ray);
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+    for (int i = 0; i < scene->triangle_count; ++i) {
         const Edges triangle = triangle_edges(scene, i);
         float2 barycentric;
         if (intersect_ray_triangle(ray, triangle, &barycentric) < INFINITY
@@ -65,7 +65,7 @@ static Ray to_original(const Ray ray) {
 
 // #region line_any_triangle
     const Line moved = {from_copy(line.origin), from_copy(line.destination)};
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {
+    for (int i = 0; i < scene->triangle_count; ++i) {
         const Edges triangle = triangle_edges(scene, i);
         if (intersect_line_triangle(line, triangle) || intersect_line_triangle(moved, triangle)) {
             return true;
@@ -75,9 +75,9 @@ static Ray to_original(const Ray ray) {
 
 // kernels/trace.cl
 // #region hit_surface
-            const bool is_copy = hit.shape == SHAPE_TRIANGLE && hit.index >= TRIANGLE_COUNT;
+            const bool is_copy = hit.shape == SHAPE_TRIANGLE && hit.index >= scene->triangle_count;
             Hit of_original = hit;
-            of_original.index -= is_copy ? TRIANGLE_COUNT : 0;
+            of_original.index -= is_copy ? scene->triangle_count : 0;
             Surface surface = surface_at(
                 scene, is_copy ? to_original(incoming.ray) : incoming.ray, of_original);
             if (is_copy) {

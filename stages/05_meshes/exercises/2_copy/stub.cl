@@ -30,7 +30,7 @@ static Ray to_original(const Ray ray) {
 
 // kernels/closest_hit.cl
 // #region closest_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {  // your turn
+    for (int i = 0; i < scene->triangle_count; ++i) {  // your turn
         float2 barycentric;
         const float distance =
             intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric);
@@ -43,7 +43,7 @@ static Ray to_original(const Ray ray) {
 
 // kernels/any_hit.cl
 // #region ray_any_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {  // your turn
+    for (int i = 0; i < scene->triangle_count; ++i) {  // your turn
         float2 barycentric;
         if (intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric) < INFINITY) {
             return true;
@@ -52,7 +52,7 @@ static Ray to_original(const Ray ray) {
 // #endregion ray_any_triangle
 
 // #region line_any_triangle
-    for (int i = 0; i < TRIANGLE_COUNT; ++i) {  // your turn
+    for (int i = 0; i < scene->triangle_count; ++i) {  // your turn
         if (intersect_line_triangle(line, triangle_edges(scene, i))) {
             return true;
         }

@@ -9,6 +9,6 @@
             // Mirrored, for u runs to the right seen from outside; and so the middle is at -z.
             const float2 place =
                 sphere_texture_coordinates((float3)(direction.xy, -direction.z));
-            const float3 sky = texture_color(&picture, place TEXTURE_ARGUMENT);
+            const float3 sky = texture_color(&picture, place, textures);
             color += incoming.weight * sky;
 // #endregion miss

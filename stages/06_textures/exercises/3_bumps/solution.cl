@@ -18,7 +18,7 @@
                 for (int i = 0; i < 4; ++i) {
                     const float3 neighbour = unit(outward + BUMP_STEP * ways[i]);
                     const float3 texel = texture_color(
-                        &bumpy, sphere_texture_coordinates(neighbour) TEXTURE_ARGUMENT);
+                        &bumpy, sphere_texture_coordinates(neighbour), textures);
                     const float height = BUMP_HEIGHT * (texel.x + texel.y + texel.z) / 3.0f;
                     lifted[i] = (1.0f + height) * neighbour;
                 }

@@ -12,7 +12,7 @@ static float4 cubic_weights(const float t) {
                            (3.0f * rest - 5.0f) * rest * rest + 2.0f, -rest * t * t);
 }
 
-static float3 texture_color(const Material *material, const float2 coordinates TEXTURE_PARAMETER) {
+static float3 texture_color(const Material *material, const float2 coordinates, TEXTURES textures) {
     if (material->texture < 0) {
         return (float3)(1.0f);
     }
@@ -29,7 +29,7 @@ static float3 texture_color(const Material *material, const float2 coordinates T
             const float2 index = low + (float2)(i - 1, j - 1);
             const float2 texel = index - size * floor(index / size);  // the border is too narrow
             sum += weights[0][i] * weights[1][j]
-                   * nearest_texel(texel + 1.5f, convert_float(material->texture) TEXTURE_ARGUMENT);
+                   * nearest_texel(texel + 1.5f, convert_float(material->texture), textures);
         }
     }
     return clamp(sum, 0.0f, 1.0f);  // no surface sends on more light than it gets, nor less than none

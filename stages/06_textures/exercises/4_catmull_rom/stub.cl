@@ -8,12 +8,12 @@ static float4 cubic_weights(const float t) {
     return (float4)(0.0f, 1.0f, 0.0f, 0.0f);  // your turn
 }
 
-static float3 texture_color(const Material *material, const float2 coordinates TEXTURE_PARAMETER) {
+static float3 texture_color(const Material *material, const float2 coordinates, TEXTURES textures) {
     if (material->texture < 0) {
         return (float3)(1.0f);
     }
     const float2 wrapped = coordinates - floor(coordinates);
     const float2 texel = wrapped * XY(material->texture_size) + 1.0f;
-    return nearest_texel(texel, convert_float(material->texture) TEXTURE_ARGUMENT);  // your turn
+    return nearest_texel(texel, convert_float(material->texture), textures);  // your turn
 }
 // #endregion texture_color

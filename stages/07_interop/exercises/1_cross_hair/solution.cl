@@ -5,7 +5,7 @@
 // #region render_pixel
 #define ARM 12
     const Ray primary = camera_ray(&camera, pixel);
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color = trace(&scene, primary, &counts, textures);
     const int2 off = pixel - camera.size / 2;
     const bool marked = (off.x == 0 && abs(off.y) <= ARM) || (off.y == 0 && abs(off.x) <= ARM);
     const float3 opposite = 1.0f - clamp(color, 0.0f, 1.0f);

@@ -8,7 +8,7 @@
         return;
     }
     const Ray primary = camera_ray(&camera, pixel);
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color = trace(&scene, primary, &counts, textures);
     const int2 end = min(pixel + BLOCK, camera.size);
     for (int y = pixel.y; y < end.y; ++y) {
         for (int x = pixel.x; x < end.x; ++x) {

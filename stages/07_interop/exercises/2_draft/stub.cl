@@ -5,6 +5,6 @@
 // #region render_pixel
 #define BLOCK 4
     const Ray primary = camera_ray(&camera, pixel);  // your turn
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color = trace(&scene, primary, &counts, textures);
     write_pixel(image, camera.size.x, pixel, color);
 // #endregion render_pixel

@@ -11,6 +11,6 @@
     Camera moved = camera;
     moved.sample = within ? middle + (point - middle) / POWER : point;
     const Ray primary = camera_ray(&moved, (int2)(0, 0));
-    const float3 color = trace(&scene, primary, &counts TEXTURE_ARGUMENT);
+    const float3 color = trace(&scene, primary, &counts, textures);
     write_pixel(image, camera.size.x, pixel, color);
 // #endregion render_pixel

@@ -30,7 +30,7 @@ static void try_leaf(const Scene *scene, WideRays *rays, const TriangleRays *sha
     closest_hits(&scene, rays, hits);
     for (int packet = 0; packet < PACKETS; ++packet) {
         // A brick's hue is by its place among the leaves, so that one subtree's are alike; spheres and planes are grey.
-        const Wide place = TO_WIDE(hits[packet].index) / TRIANGLE_COUNT;
+        const Wide place = TO_WIDE(hits[packet].index) / scene.triangle_count;
         const WideInt is_brick = hits[packet].shape == SHAPE_TRIANGLE;
         const WideInt is_nothing = hits[packet].shape == SHAPE_NONE;
         const Wide side = 1.0f - 0.25f * hits[packet].barycentric_b;

@@ -30,7 +30,7 @@
         }
         RayCounts of_point = {0, 0, 0, 0, 0, 0};
         Wide3 seen[PACKETS];
-        trace_packets(&scene, bent, seen, &of_point TEXTURE_ARGUMENT);
+        trace_packets(&scene, bent, seen, &of_point, textures);
         counts.shadow += of_point.shadow;
         counts.reflection += of_point.reflection;
         counts.refraction += of_point.refraction;

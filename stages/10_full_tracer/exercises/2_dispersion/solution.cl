@@ -39,7 +39,7 @@ typedef struct WideRays {
         }
         RayCounts traced = {0, 0, 0, 0, 0, 0};
         Wide3 seen[PACKETS];
-        trace_packets(&scene, of_channel, seen, &traced TEXTURE_ARGUMENT);
+        trace_packets(&scene, of_channel, seen, &traced, textures);
         counts.shadow += traced.shadow;
         counts.reflection += traced.reflection;
         counts.refraction += traced.refraction;

@@ -28,5 +28,5 @@ typedef struct WideRays {
     for (int packet = 0; packet < PACKETS; ++packet) {
         rays[packet].light = (float3)(1.0f);  // your turn
     }
-    trace_packets(&scene, rays, colors, &counts TEXTURE_ARGUMENT);
+    trace_packets(&scene, rays, colors, &counts, textures);
 // #endregion trace_block

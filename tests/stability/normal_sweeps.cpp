@@ -207,7 +207,7 @@ protected:
 
 private:
     static inline const SceneNeeds needs{
-        {"TRIANGLE_COUNT", 1}, {"BVH_WIDTH", 4}, {"STACK_SIZE", 1}, {"MAX_DEPTH", 1}};
+        {"HAS_TRIANGLES", 1}, {"HAS_TREE", 1}, {"BVH_WIDTH", 4}, {"STACK_SIZE", 1}, {"MAX_DEPTH", 1}};
 };
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Normals, each_device(), device_name);
 
