@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -74,7 +76,9 @@ std::optional<Probe> probe_double(const cl::Device &device, const std::string &s
 void measure(Variant &variant, const cl::Device &device, const std::string &stage,
              const Scene &scene, Renderer &base, const Image &base_picture) {
     Renderer renderer(device, stage, scene, variant.settings);
-    variant.probe.error = rmse_of(renderer.render().image, base_picture);
+    const double error = rmse_of(renderer.render().image, base_picture);
+    // What is no number is as wrong as can be (math=relaxed on LLVM 21 draws such pixels).
+    variant.probe.error = std::isfinite(error) ? error : std::numeric_limits<double>::max();
     variant.probe.ratio = time_ratio(renderer, base, rounds);
 }
 

@@ -48,23 +48,29 @@ TEST_F(Stage01KernelCache, ThatIsFullIsToldWithTheCause) {
                  "can't be kept in " + cache + ": No space left on device");
 }
 
-// However it is damaged: PoCL aborts, finds no kernel, or takes it for none of its own.
+// However it is damaged: PoCL aborts, finds no kernel, or takes it for none of its own. PoCL 7.1
+// makes a shared object that it can't load anew.
 TEST_F(Stage01KernelCache, ThatIsDamagedIsToldAndAvoided) {
     const fs::path cache = folder.path() / "cache";
     const std::string variable = "POCL_CACHE_DIR=" + cache.string();
     const auto damage = [&](const std::string &extension, const std::string &text) {
         fs::remove_all(cache);
         expect_done(draw({variable}));
-        int damaged = 0;
+        std::vector<fs::path> damaged;
         for (const auto &entry : fs::recursive_directory_iterator(cache)) {
             if (entry.is_regular_file() && entry.path().extension() == extension) {
                 std::ofstream(entry.path()) << text;
-                ++damaged;
+                damaged.push_back(entry.path());
             }
         }
-        EXPECT_GT(damaged, 0) << extension;
+        EXPECT_FALSE(damaged.empty()) << extension;
         SCOPED_TRACE(extension + " " + text);
-        expect_drawn(draw({variable}), "compiled kernels in " + cache.string() + " may be damaged");
+        const Outcome outcome = draw({variable});
+        if (!damaged.empty() && fs::file_size(damaged[0]) != text.size()) {
+            expect_done(outcome);
+        } else {
+            expect_drawn(outcome, "compiled kernels in " + cache.string() + " may be damaged");
+        }
     };
     damage(".so", "junk");
     damage(".bc", "");

@@ -19,6 +19,13 @@ const std::vector<std::string> stages{
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 
+// CLI11 2.4 and later indent long names further.
+bool starts_a_line(const std::string &text, const std::string &part) {
+    const std::size_t found = text.find(' ' + part);
+    return found != std::string::npos
+           && text.find_last_not_of(' ', found) == text.rfind('\n', found);
+}
+
 const auto its_stage = [](const auto &stage) { return "Stage" + stage.param; };
 
 INSTANTIATE_TEST_SUITE_P(Programs, EveryStage, testing::ValuesIn(stages), its_stage);
@@ -41,7 +48,7 @@ TEST_P(EveryStage, HelpListsEveryOption) {
     for (const char *option :
          {"size", "out", "samples", "depth", "device", "frames", "method", "kernels", "stats",
           "list-devices", "window", "display", "texture", "scale", "verbose", "version"}) {
-        expect_part(outcome.out, fmt::format("\n  --{} ", option));
+        EXPECT_TRUE(starts_a_line(outcome.out, fmt::format("--{} ", option))) << option;
     }
     for (const char *part : {"\n  scene ", "--help "}) {
         expect_part(outcome.out, part);

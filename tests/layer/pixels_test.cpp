@@ -89,7 +89,7 @@ TEST_P(Pixels, KeepEveryBitInEveryFormatTheDeviceHas) {
             EXPECT_EQ(sharing.make(texture), (Made{nullptr, CL_INVALID_IMAGE_FORMAT_DESCRIPTOR}));
         }
     }
-    EXPECT_GE(shared, 21);  // rusticl's; PoCL has 25
+    EXPECT_GE(shared, 13);  // PoCL 7.1's; PoCL 3.1 has 25, rusticl 21
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

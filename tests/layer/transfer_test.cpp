@@ -133,10 +133,14 @@ struct Unusual {
 
 TEST_P(Transfer, LeavesOpenGLAsItWas) {
     const Sharing sharing(GetParam());
-    const Bytes pixels = random_bytes(7 * 5 * 2, 1);
+    const bool is_odd =
+        sharing.supports({CL_R, CL_UNORM_INT16});  // a row of 14 bytes; not in PoCL 7.1
+    const std::size_t pixel = is_odd ? 2 : 8;
+    const Bytes pixels = random_bytes(7 * 5 * pixel, 1);
     GLuint texture = make_texture(1, 1, {});
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, 7, 5, 0, GL_RED, GL_UNSIGNED_SHORT, pixels.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, is_odd ? GL_R16 : GL_RGBA16, 7, 5, 0, is_odd ? GL_RED : GL_RGBA,
+                 GL_UNSIGNED_SHORT, pixels.data());
     GLuint renderbuffer = 0;
     glGenRenderbuffers(1, &renderbuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
@@ -152,10 +156,10 @@ TEST_P(Transfer, LeavesOpenGLAsItWas) {
     const cl::Memory data = sharing.share_buffer(buffer);
     const cl_mem all[] = {image(), rendered(), data()};
     ASSERT_EQ(clEnqueueAcquireGLObjects(sharing.queue(), 3, all, 0, nullptr, nullptr), CL_SUCCESS);
-    EXPECT_EQ(sharing.read_image(image, 2, {7, 5, 1}), pixels);
+    EXPECT_EQ(sharing.read_image(image, pixel, {7, 5, 1}), pixels);
     ASSERT_EQ(clEnqueueReleaseGLObjects(sharing.queue(), 3, all, 0, nullptr, nullptr), CL_SUCCESS);
     ASSERT_EQ(sharing.acquire(image), CL_SUCCESS);
-    EXPECT_EQ(sharing.read_image(image, 2, {7, 5, 1}), pixels);
+    EXPECT_EQ(sharing.read_image(image, pixel, {7, 5, 1}), pixels);
     unusual.expect_kept();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
