@@ -97,7 +97,7 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
              const RenderSettings &settings, Startup &startup) {
     std::optional<FramePipeline> built;
     {
-        const DriverWatch watch;
+        const DriverWatch watch(options.kernels);
         first_that_builds(devices_for(window, options, scene), [&](const cl::Device &device) {
             warn_of_width(device, settings.methods);
             built.emplace(device, window.api(), stage, scene, settings, ladder_of(options.display),

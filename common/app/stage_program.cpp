@@ -2,6 +2,7 @@
 #include "app/stage_program.h"
 
 #include <optional>
+#include <utility>
 #include <system_error>
 #include <vector>
 
@@ -15,7 +16,6 @@
 #include "budget/budget.h"
 #include "device/device_choice.h"
 #include "device/kernel_cache.h"
-#include "device/kernel_source.h"
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
@@ -61,11 +61,7 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     const std::filesystem::path out = options.out.value_or(default_out(stage));
     require_outputs(out, options);
 
-    // The user's own kernels may end the process by themselves.
-    std::optional<DriverWatch> watch;
-    if (!named_kernels(options.kernels)) {
-        watch.emplace();
-    }
+    std::optional<DriverWatch> watch(std::in_place, options.kernels);
     std::optional<Renderer> built;
     const cl::Device device = first_that_builds(devices, [&](const cl::Device &candidate) {
         warn_of_width(candidate, settings.methods);

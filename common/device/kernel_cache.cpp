@@ -18,6 +18,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "device/kernel_source.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
 
@@ -177,7 +178,10 @@ void prepare_kernel_cache() {
     });
 }
 
-DriverWatch::DriverWatch() {
+DriverWatch::DriverWatch(const std::optional<std::filesystem::path> &own_kernels) {
+    if (named_kernels(own_kernels)) {
+        return;
+    }
     prepare_restart();
     static const bool registered = std::atexit(start_again) == 0;
     static const bool terminates = [] {
