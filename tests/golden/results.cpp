@@ -227,6 +227,8 @@ Held hold_to_golden(const GoldenScene &scene, const std::string &device) {
         held.failure = error.what();
     }
     results.leave(held, frame, golden, tolerance.interior);
+    held.picture = frame.image;
+    held.golden = golden ? golden->image : Image();
     return held;
 }
 

@@ -11,6 +11,7 @@ namespace stagelight::golden {
 struct Held {
     std::string failure;  // empty when within the tolerance; else one line
     Comparison comparison;
+    Image picture, golden;
 };
 
 // The scene as the device that `device` stands for draws it, beside its golden. A golden that
