@@ -154,7 +154,7 @@ def draw(build, name, picture):
 
 def hash_of_sources():
     """Of all that a picture can be made of."""
-    files = [file.read_bytes() for pattern in ("kernels/*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
+    files = [file.read_bytes() for pattern in ("kernels/**/*.*", "stages/*/kernel.cl", "scenes/**/*", "common/**/*.cpp",
                                                "tests/mutants/*.toml", "stages/*/exercises/*/*.cl", "docs/pictures/*.cl")
              for file in sorted(ROOT.glob(pattern)) if file.is_file()]
     return hashlib.sha256(b"".join(files)).hexdigest()

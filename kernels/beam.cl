@@ -7,12 +7,7 @@
 // #region boxes
 // The boxes of a node's children, tried at once.
 typedef JOIN(float, BVH_WIDTH) Boxes;
-#if STORAGE_IS_HALF
-#define LOAD_BOXES(row) \
-    JOIN(TO_REAL, BVH_WIDTH)(JOIN(vload_half, BVH_WIDTH)(0, (__global const half *)(row)))
-#else
 #define LOAD_BOXES(row) JOIN(TO_REAL, BVH_WIDTH)(JOIN(vload, BVH_WIDTH)(0, row))
-#endif
 #define STORE_BOXES(value, row) JOIN(vstore, BVH_WIDTH)(value, 0, row)
 
 // A bit for each that the mask is set for.
@@ -34,25 +29,11 @@ static int bits_of(const JOIN(LANE_INT, BVH_WIDTH) mask) {
 // #endregion boxes
 
 // #region box_methods
-// The smaller and the larger of two numbers, of any width. By comparing, the second where one of them is
-// not a number; by the functions for it, the other one, which takes several instructions.
-#ifndef METHOD_BOX
-#define METHOD_BOX robust
-#endif
-#define LESSER JOIN(LESSER_, METHOD_BOX)
-#define GREATER JOIN(GREATER_, METHOD_BOX)
-#define LESSER_robust(a, b) ((a) < (b) ? (a) : (b))
-#define GREATER_robust(a, b) ((a) > (b) ? (a) : (b))
-#define LESSER_ordered LESSER_robust
-#define GREATER_ordered GREATER_robust
-#define LESSER_fminmax(a, b) fmin(a, b)
-#define GREATER_fminmax(a, b) fmax(a, b)
+// The smaller and the larger of two numbers, of any width: the second where one of them is not a number.
+#define LESSER(a, b) ((a) < (b) ? (a) : (b))
+#define GREATER(a, b) ((a) > (b) ? (a) : (b))
 
-// How much room is left for rounding: SLAB_ROOM, as the makers of the boxes leave it, or none.
-#define ROOM JOIN(ROOM_, METHOD_BOX)
-#define ROOM_robust SLAB_ROOM
-#define ROOM_ordered 0.0f
-#define ROOM_fminmax 0.0f
+#include "box/robust.cl"
 // #endregion box_methods
 
 // #region slab
@@ -100,12 +81,12 @@ static SlabRays slab_rays(const WideRays *rays) {
 // Which rays are in the box of one child anywhere before `limit`.
 static WideInt enter_box(__global const BvhNode *node, const int child, const SlabRays *rays,
                          const Wide limit) {
-    const Wide low_x = FUSED((Wide)(LOAD_NUMBER(node->planes[0], child)), rays->x.inverse, rays->x.low);
-    const Wide low_y = FUSED((Wide)(LOAD_NUMBER(node->planes[1], child)), rays->y.inverse, rays->y.low);
-    const Wide low_z = FUSED((Wide)(LOAD_NUMBER(node->planes[2], child)), rays->z.inverse, rays->z.low);
-    const Wide high_x = FUSED((Wide)(LOAD_NUMBER(node->planes[3], child)), rays->x.inverse, rays->x.high);
-    const Wide high_y = FUSED((Wide)(LOAD_NUMBER(node->planes[4], child)), rays->y.inverse, rays->y.high);
-    const Wide high_z = FUSED((Wide)(LOAD_NUMBER(node->planes[5], child)), rays->z.inverse, rays->z.high);
+    const Wide low_x = FUSED((Wide)(node->planes[0][child]), rays->x.inverse, rays->x.low);
+    const Wide low_y = FUSED((Wide)(node->planes[1][child]), rays->y.inverse, rays->y.low);
+    const Wide low_z = FUSED((Wide)(node->planes[2][child]), rays->z.inverse, rays->z.low);
+    const Wide high_x = FUSED((Wide)(node->planes[3][child]), rays->x.inverse, rays->x.high);
+    const Wide high_y = FUSED((Wide)(node->planes[4][child]), rays->y.inverse, rays->y.high);
+    const Wide high_z = FUSED((Wide)(node->planes[5][child]), rays->z.inverse, rays->z.high);
     const Wide enter_xy = GREATER(LESSER(low_x, high_x), LESSER(low_y, high_y));
     const Wide leave_xy = LESSER(GREATER(low_x, high_x), GREATER(low_y, high_y));
     const Wide enter = GREATER(enter_xy, GREATER(LESSER(low_z, high_z), (Wide)(0.0f)));
@@ -298,8 +279,8 @@ static int packets_in(__global const BvhNode *node, const int child, const Beam 
 #pragma unroll
     for (int i = 0; i < 3; ++i) {
         const BeamAxis *axis = &beam->packets[i];
-        const PerPacket near_plane = LOAD_NUMBER(node->planes[beam->near_row[i]], child);
-        const PerPacket far_plane = LOAD_NUMBER(node->planes[beam->far_row[i]], child);
+        const PerPacket near_plane = node->planes[beam->near_row[i]][child];
+        const PerPacket far_plane = node->planes[beam->far_row[i]][child];
         const PerPacket near = FUSED(near_plane, axis->enter.inverse, axis->enter.offset);
         const PerPacket far = FUSED(far_plane, axis->leave.inverse, axis->leave.offset);
         const PerPacket back = FUSED(far_plane, axis->enter_back.inverse, axis->enter_back.offset);

@@ -2,7 +2,7 @@
 // Introduced by stage 09: a tree of boxes, so that rays try few of the triangles, and the walk of a
 // work-item's rays down it, together.
 #include "beam.cl"
-#include "wide_triangle.cl"
+#include "packets/triangle/woop.cl"
 
 // #region leaf
 // The rays' limits, and `closest` where it is not 0, as walk_down has them.

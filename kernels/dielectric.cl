@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 04; extended by 10 (meshes, Fresnel): glass. What is reflected, what goes through, and what
-// is lost inside.
+// Introduced by stage 04; extended by 10 (smooth meshes): glass. What is reflected, what goes through,
+// and what is lost inside.
 #include "origin.cl"
 #include "ray_stack.cl"
 #include "reflection.cl"
-#include "fresnel.cl"
+#include "fresnel/schlick.cl"
+#include "transmission/exp.cl"
 
 // #region refract
 // Snell's law in vectors; `ratio` is the index of refraction on the side of `normal` over that
@@ -21,29 +22,6 @@ static bool refract(const float3 direction, const float3 normal, const float rat
     return true;
 }
 // #endregion refract
-
-// #region beer
-// The share of the light that is left after a way through an absorbing medium (Beer's law).
-#ifndef METHOD_TRANSMISSION
-#define METHOD_TRANSMISSION exact
-#endif
-#define transmittance JOIN(transmittance_, METHOD_TRANSMISSION)
-
-// #region transmittance_exact
-static float3 transmittance_exact(const float3 absorption, const float distance) {
-    return exp(-absorption * distance);
-}
-// #endregion transmittance_exact
-
-// As the device does it fastest: the error is the device's own.
-static float3 transmittance_native(const float3 absorption, const float distance) {
-    return NATIVE_EXP(-absorption * distance);
-}
-
-static float3 transmittance_none(const float3 absorption, const float distance) {
-    return (float3)(1.0f);
-}
-// #endregion beer
 
 // #region smooth_glass
 // On a smooth mesh the shading normal leans away from the facet's. It may even be turned away from the
@@ -107,7 +85,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
     spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
         PendingRay refracted;
-        refracted.ray.origin = origin_off(surface, -surface->geometric_normal);
+        refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;
@@ -133,7 +111,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
     ++leaving.depth;
     leaving.absorption = (float3)(0.0f);
     leaving.ray.direction = interface.refracted;
-    leaving.ray.origin = origin_off(surface, interface.refracted);
+    leaving.ray.origin = offset_ray_origin(surface, interface.refracted);
     bool leaves = interface.reflectance < 1.0f;
     if (!surface->from_behind) {
         spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
@@ -144,7 +122,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
         leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
         leaving.weight *= 1.0f - interface.reflectance;
         leaving.weight *= transmittance(XYZ(glass->absorption), chord);
-        leaving.ray.origin = leave(exit, -inward, surface->offset);
+        leaving.ray.origin = offset_along(exit, -inward, surface->ray_offset);
     }
     if (leaves) {
         push_ray(stack, leaving, &counts->refraction, counts);

@@ -18,7 +18,7 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
         const float cosine = dot(surface->normal, illumination.direction);
         if (cosine > 0.0f) {
             ++counts->shadow;
-            if (!in_shadow(scene, light, origin_off(surface, illumination.direction))) {
+            if (!in_shadow(scene, light, offset_ray_origin(surface, illumination.direction))) {
                 sum += cosine * illumination.irradiance;
             }
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01: where rays and lines meet a plane.
+// Introduced by stage 01; extended by 02 (lines): where rays and lines meet a plane.
 #include "ray.cl"
 
 // #region ray_plane

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01: what is sent through the scene, and what comes back.
+// Introduced by stage 01; extended by 02 (lines), 05 (triangles), 06 (textures) and 09 (fused
+// products): what is sent through the scene, and what comes back.
 #include "real.cl"
-
-// #region methods
-// What can be done in several ways has a function for each, of one signature; which of them is meant is
-// the host's choice (--method KIND=NAME), or else the name that is put down beside them: both are joined
-// to its name, as in JOIN(unit_, METHOD_NORMALISE).
-// #endregion methods
+#include "normalise/exact.cl"
 
 // #region fused
 // a * b + c, rounded once where the device does that in hardware: fma() in software takes many times as
@@ -45,24 +41,7 @@ typedef struct Surface {
     float3 geometric_normal;  // unit length
     bool from_behind;         // seen from inside a sphere or a mesh, or from under a plane
     int material;
-    float offset;  // how far off the surface a new ray starts
+    float ray_offset;  // how far off the surface a new ray starts
     float2 texture_coordinates;
 } Surface;
 // #endregion hit
-
-// #region unit
-// The vector's direction.
-#ifndef METHOD_NORMALISE
-#define METHOD_NORMALISE exact
-#endif
-#define unit JOIN(unit_, METHOD_NORMALISE)
-
-static float3 unit_exact(const float3 a) {
-    return normalize(a);
-}
-
-// As the device does it fastest: the error is the device's own.
-static float3 unit_native(const float3 a) {
-    return NATIVE_RSQRT(dot(a, a)) * a;
-}
-// #endregion unit

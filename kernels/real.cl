@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01: the numbers that are calculated with. With --method math=fp64, where it says
-// float it is double: the camera and what kernels calculate, but not what lies in memory or comes from an
-// image.
+// Introduced by stage 01; extended by 06 (textures) and 09 (masks): the numbers that are calculated
+// with. With --method math=fp64, where it says float it is double: the camera and what kernels
+// calculate, but not what lies in memory or comes from an image.
 #include "scene_types.h"
 
 // #region real

@@ -1,36 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 02 (materials, lights), 05 (meshes), 06 (textures),
+// Introduced by stage 01; extended by 02 (materials, lights), 05 (meshes), 06 (textures) and
 // 09 (a tree of boxes): the scene, as a kernel's arguments and as one struct to hand on.
 //
 // The host defines HAS_SPHERES and its like, 0 or 1, for the scene at hand. What a scene has not costs
 // nothing: no argument, and where a kernel asks for it, the compiler takes out what is never reached.
 #include "ray.cl"
 
-// #region storage
-// What meshes are made of takes half the bits where the host says so. The type half is for pointers only.
-#if STORAGE_IS_HALF
-typedef HalfFacet StoredFacet;
-typedef half StoredNormal;
-typedef unsigned short StoredNumber;
-#define LOAD_NORMAL(normals, index) XYZ(vload_half4(index, normals))
-#define LOAD_COORDINATES(corner) XYZ(vload_half3(0, (__global const half *)(corner)))
-#define LOAD_NUMBER(numbers, index) vload_half(index, (__global const half *)(numbers))
-#else
-typedef Facet StoredFacet;
-typedef Single4 StoredNormal;
-typedef Single StoredNumber;
-#define LOAD_NORMAL(normals, index) XYZ((normals)[index])
-#define LOAD_COORDINATES(corner) XYZ(vload3(0, corner))
-#define LOAD_NUMBER(numbers, index) (numbers)[index]
-#endif
-
 // Boxes around triangles, side by side, so that all are tried at once.
 typedef struct BvhNode {
-    StoredNumber planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
+    Single planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
     uint first[BVH_WIDTH];  // of a leaf, the first of its triangles; else the child's node
     uint count[BVH_WIDTH];  // of a leaf, how many triangles it has; else 0
 } BvhNode;
-// #endregion storage
 
 // #region textures
 // An image can't be a member of a struct: it is handed on beside the scene.
@@ -54,11 +35,10 @@ typedef struct Scene {
     int light_count;
     __global const Triangle *triangles;
     int triangle_count;
-    __global const StoredNormal *vertex_normals;
+    __global const Single4 *vertex_normals;
     __global const Single4 *vertex_positions;
     __global const Single2 *vertex_texture_coordinates;
-    __global const StoredFacet *facets;
-    __global const FacetMap *facet_maps;
+    __global const Facet *facets;
     __global const BvhNode *bvh_nodes;
 } Scene;
 // #endregion scene

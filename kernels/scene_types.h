@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The structs that the host fills and the kernels read: this file is compiled as C++ and as
-// OpenCL C. float4 only, never float3: its size and alignment are the same everywhere.
-// Lengths in scene units, world space, right-handed, y up; colours linear.
+// Introduced by stage 01; extended by 02 (materials, lights), 03 (types of material), 05
+// (triangles), 09 (facets) and 10 (faded rays): the structs that the host fills and the kernels
+// read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its size and
+// alignment are the same everywhere. Lengths in scene units, world space, right-handed, y up;
+// colours linear.
 #ifndef STAGELIGHT_SCENE_TYPES_H
 #define STAGELIGHT_SCENE_TYPES_H
 
@@ -126,22 +128,6 @@ typedef struct Facet {
     float corners[3][3];
 } Facet;
 
-// The same in half the bits, to be read as half: OpenCL C 1.2 has no member of that type.
-typedef struct HalfFacet {
-    unsigned short corners[3][3];
-} HalfFacet;
-
-// A triangle's map to the unit triangle (kernels/wide_triangle.cl, "baldwin_weber"). The normal is
-// longest along `axis`; u and v are the two axes after it. A point is `along`: p[axis] + along[0] *
-// p[u] + along[1] * p[v] + along[2] off the plane, and has the weights to_b[0] * p[u] + to_b[1] *
-// p[v] + to_b[2], and the like for c.
-typedef struct FacetMap {
-    float along[3];
-    float to_b[3];
-    float to_c[3];
-    int axis;
-} FacetMap;
-
 // Of a coordinate: how far rounding may move what is measured from it, with room to spare. Boxes
 // are grown by it on the host, and for a ray's own origin on the device (kernels/beam.cl, "slab").
 #define SLAB_ROOM 2.3841858e-7f
@@ -179,9 +165,7 @@ static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
 static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
               && offsetof(Plane, material) == 20);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
-static_assert(sizeof(Facet) == 36 && sizeof(HalfFacet) == 18);
-static_assert(sizeof(FacetMap) == 40 && offsetof(FacetMap, to_b) == 12
-              && offsetof(FacetMap, to_c) == 24 && offsetof(FacetMap, axis) == 36);
+static_assert(sizeof(Facet) == 36);
 static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, faded) == 16);
 }  // namespace stagelight::device
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01: where rays and lines meet a sphere.
+// Introduced by stage 01; extended by 02 (lines): where rays and lines meet a sphere.
 #include "ray.cl"
 
 // #region ray_sphere

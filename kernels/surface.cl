@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 05 (triangles) and 06 (texture coordinates): what is there
-// where a ray has hit.
+// Introduced by stage 01; extended by 02 (materials, offsets), 05 (triangles) and 06 (textures): what
+// is there where a ray has hit.
 #include "origin.cl"
 #include "scene.cl"
 #include "triangle.cl"
@@ -16,7 +16,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
-    surface->offset = error_along(surface->normal, surface->position,
+    surface->ray_offset = error_along(surface->normal, surface->position,
                                   (float3)(GAMMA(15.0f) * sphere.radius));
     if (HAS_TEXTURES) {
         surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
@@ -32,9 +32,11 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->normal = normal;
     surface->geometric_normal = normal;
     surface->material = plane.material;
-    surface->offset =
+    surface->ray_offset =
         error_along(normal, position, (float3)(GAMMA(12.0f)) * fabs(position));
-    surface->texture_coordinates = (float2)(0.0f);  // a plane has none
+    if (HAS_TEXTURES) {
+        surface->texture_coordinates = (float2)(0.0f);  // a plane has none
+    }
 }
 
 // What is known of a surface for having looked it up: the normals of a triangle are left as long as
@@ -66,9 +68,7 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
         surface.geometric_normal = -surface.geometric_normal;
     }
 // #endregion sides
-    if (ORIGIN_IS_SCALED) {
-        surface.offset = scaled_offset(ray, hit.distance);
-    }
+    surface.ray_offset = ray_offset(ray, hit.distance, surface.ray_offset);
     return surface;
 }
 // #endregion surface_at

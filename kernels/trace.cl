@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 04 (dielectrics) and 06 (textures): Whitted's ray tracing
-// (An Improved Illumination Model for Shaded Display, 1980), as a loop.
+// Introduced by stage 03; extended by 06 (textures): Whitted's ray tracing (An Improved Illumination
+// Model for Shaded Display, 1980), as a loop.
 #include "closest_hit.cl"
 #include "diffuse.cl"
 #include "shade.cl"
@@ -12,7 +12,7 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TE
     stack.count = 1;
     float3 color = (float3)(0.0f);
     while (stack.count > 0) {
-        const PendingRay incoming = stack.rays[--stack.count];
+        const PendingRay incoming = pop_ray(&stack);
         const Hit hit = closest_hit(scene, incoming.ray);
         if (hit.shape == SHAPE_NONE) {
             // #region miss

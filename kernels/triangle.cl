@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 05: where rays and lines meet a triangle, and what is there.
+// Introduced by stage 05; extended by 06 (textures) and 09 (a tree): where rays and lines meet a
+// triangle, and what is there.
 #include "origin.cl"
 #include "scene.cl"
 
@@ -13,7 +14,7 @@ typedef struct Edges {
 // #endregion edges
 
 static float3 facet_corner(const Scene *scene, const int index, const int corner) {
-    return LOAD_COORDINATES(scene->facets[index].corners[corner]);
+    return XYZ(vload3(0, scene->facets[index].corners[corner]));
 }
 
 static Edges triangle_edges(const Scene *scene, const int index) {
@@ -22,12 +23,13 @@ static Edges triangle_edges(const Scene *scene, const int index) {
         const Edges edges = {corner, facet_corner(scene, index, 1) - corner,
                              facet_corner(scene, index, 2) - corner};
         return edges;
+    } else {
+        const Triangle triangle = scene->triangles[index];
+        const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
+        const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
+                             XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
+        return edges;
     }
-    const Triangle triangle = scene->triangles[index];
-    const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
-    const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
-                         XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
-    return edges;
 }
 // #endregion triangle_edges
 
@@ -36,8 +38,8 @@ static Edges triangle_edges(const Scene *scene, const int index) {
 // sides. `determinant` shrinks with the square of the triangle's size, so it is compared with zero
 // and nothing else: any other threshold would make small meshes vanish. Every comparison is false
 // for a NaN.
-// #region moller_trumbore
-static float moller_trumbore(const float3 origin, const float3 along, const Edges triangle,
+// #region moeller_trumbore
+static float moeller_trumbore(const float3 origin, const float3 along, const Edges triangle,
                              float2 *barycentric) {
     const float3 p = cross(along, triangle.c);
     const float determinant = dot(triangle.b, p);
@@ -59,10 +61,10 @@ static float moller_trumbore(const float3 origin, const float3 along, const Edge
     *barycentric = (float2)(b, c);
     return t > 0.0f ? t : INFINITY;
 }
-// #endregion moller_trumbore
+// #endregion moeller_trumbore
 
 static float intersect_ray_triangle(const Ray ray, const Edges triangle, float2 *barycentric) {
-    return moller_trumbore(ray.origin, ray.direction, triangle, barycentric);
+    return moeller_trumbore(ray.origin, ray.direction, triangle, barycentric);
 }
 // #endregion ray_triangle
 
@@ -70,7 +72,7 @@ static float intersect_ray_triangle(const Ray ray, const Edges triangle, float2 
 // Measured in lengths of the line, its destination is at 1.
 static bool intersect_line_triangle(const Line line, const Edges triangle) {
     float2 barycentric;
-    return moller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric)
+    return moeller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric)
            < 1.0f;
 }
 // #endregion line_triangle
@@ -87,19 +89,21 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
     const float a = 1.0f - b - c;
     surface->position = edges.corner + b * edges.b + c * edges.c;
     // #region blended_normal
-    surface->normal = a * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[0])
-                      + b * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[1])
-                      + c * LOAD_NORMAL(scene->vertex_normals, triangle.vertices[2]);
+    surface->normal = a * XYZ(scene->vertex_normals[triangle.vertices[0]])
+                      + b * XYZ(scene->vertex_normals[triangle.vertices[1]])
+                      + c * XYZ(scene->vertex_normals[triangle.vertices[2]]);
     // #endregion blended_normal
     surface->geometric_normal = cross(edges.b, edges.c);
     // The sum is rounded by its parts; the next test of this triangle, by its extent.
     const float3 extent = max(fabs(edges.b), fabs(edges.c));
-    surface->offset = error_along(surface->geometric_normal, surface->position,
+    surface->ray_offset = error_along(surface->geometric_normal, surface->position,
                                   GAMMA(6.0f) * (fabs(edges.corner) + extent)
                                       + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
     // #region mesh_coordinates
-    surface->texture_coordinates = (float2)(0.0f);
+    if (HAS_TEXTURES) {
+        surface->texture_coordinates = (float2)(0.0f);
+    }
     if (HAS_MESH_TEXTURES) {
         surface->texture_coordinates =
             a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])

@@ -257,17 +257,6 @@ static Wide3 wide_cross(const Wide3 a, const Wide3 b) {
     const Wide3 cross = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
     return cross;
 }
-
-// As unit_exact and unit_native.
-#define wide_unit JOIN(wide_unit_, METHOD_NORMALISE)
-
-static Wide3 wide_unit_exact(const Wide3 a) {
-    return wide_scaled(1.0f / sqrt(wide_dot(a, a)), a);
-}
-
-static Wide3 wide_unit_native(const Wide3 a) {
-    return wide_scaled(NATIVE_RSQRT(wide_dot(a, a)), a);
-}
 // #endregion wide3
 
 // #region wide_rays
@@ -309,3 +298,12 @@ static void block(WideRays *rays, const WideInt blocked) {
     rays->limit = blocked ? (Wide)(-1.0f) : rays->limit;
 }
 // #endregion wide_rays
+
+// #region wide_surfaces
+// As Surface.
+typedef struct WideSurfaces {
+    Wide3 position, normal, geometric_normal;
+    WideInt from_behind;
+    Wide ray_offset;
+} WideSurfaces;
+// #endregion wide_surfaces

@@ -38,7 +38,7 @@ static WideIllumination wide_light_at(const Light light, const Wide3 position) {
 static WideRays shadow_rays_to(const Light light, const WideSurfaces *surfaces,
                                const Wide3 direction, const WideInt mask) {
     WideRays rays;
-    rays.origin = wide_origin_off(surfaces, direction);
+    rays.origin = wide_offset_ray_origin(surfaces, direction);
     rays.direction = direction;
     rays.limit = mask ? (Wide)(INFINITY) : (Wide)(-1.0f);
     if (is_point(light)) {

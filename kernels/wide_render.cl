@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 09: the kernel, one work-item a block of PACKETS tiles, of WIDTH pixels each.
+#include "packets/normalise/exact.cl"
 #include "picture.cl"
 #include "ray_counts.cl"
 #include "wide_trace.cl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 09: what is there where WIDTH rays have hit. What lies in memory is fetched
 // lane by lane; what is arithmetic is done for all lanes at once.
+#include "packets/normalise/exact.cl"
 #include "surface.cl"
 #include "wide_hit.cl"
 #include "wide_origin.cl"
@@ -10,7 +11,7 @@
 typedef struct SurfaceLanes {
     Lanes3 position, normal, geometric_normal;
     LanesInt from_behind;
-    Lanes offset;
+    Lanes ray_offset;
     int material[WIDTH];
     float2 texture_coordinates[WIDTH];
 } SurfaceLanes;
@@ -22,7 +23,7 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
     put_lane(&lanes->position, lane, surface->position);
     put_lane(&lanes->normal, lane, surface->normal);
     put_lane(&lanes->geometric_normal, lane, surface->geometric_normal);
-    lanes->offset.lane[lane] = surface->offset;
+    lanes->ray_offset.lane[lane] = surface->ray_offset;
     lanes->material[lane] = surface->material;
     lanes->texture_coordinates[lane] = surface->texture_coordinates;
 }
@@ -40,7 +41,7 @@ static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *la
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;
     surfaces.normal = turned(surfaces.from_behind, surfaces.normal);
     surfaces.geometric_normal = turned(surfaces.from_behind, surfaces.geometric_normal);
-    surfaces.offset = ORIGIN_IS_SCALED ? wide_scaled_offset(rays) : lanes->offset.wide;
+    surfaces.ray_offset = wide_ray_offset(rays, lanes->ray_offset.wide);
     return surfaces;
 }
 
@@ -49,7 +50,7 @@ static void store_surfaces(SurfaceLanes *lanes, const WideSurfaces *surfaces) {
     store_lanes(&lanes->normal, surfaces->normal);
     store_lanes(&lanes->geometric_normal, surfaces->geometric_normal);
     lanes->from_behind.wide = surfaces->from_behind;
-    lanes->offset.wide = surfaces->offset;
+    lanes->ray_offset.wide = surfaces->ray_offset;
 }
 
 static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
@@ -59,7 +60,7 @@ static Surface get_surface(const SurfaceLanes *lanes, const int lane) {
     surface.geometric_normal = get_lane(&lanes->geometric_normal, lane);
     surface.from_behind = lanes->from_behind.lane[lane] != 0;
     surface.material = lanes->material[lane];
-    surface.offset = lanes->offset.lane[lane];
+    surface.ray_offset = lanes->ray_offset.lane[lane];
     surface.texture_coordinates = lanes->texture_coordinates[lane];
     return surface;
 }

@@ -144,7 +144,8 @@ static bool pop_rays(RayStack *stacks, IncomingLanes *incoming, WideRays *rays) 
     for (int lane = 0; lane < WIDTH; ++lane) {
         limits.lane[lane] = -1.0f;
         if (stacks[lane].count > 0) {
-            put_incoming(incoming, lane, &stacks[lane].rays[--stacks[lane].count]);
+            const PendingRay next = pop_ray(&stacks[lane]);
+            put_incoming(incoming, lane, &next);
             limits.lane[lane] = INFINITY;
             any = true;
         }

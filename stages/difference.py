@@ -7,6 +7,7 @@ learnt yet (#if), without methods other than the default, and without functions 
 a reader of that stage has to read. stages/budget.toml says how many lines each may add.
 """
 import difflib
+import functools
 import itertools
 import re
 import sys
@@ -28,7 +29,8 @@ LEARNT = {
     10: {"HAS_DIELECTRIC_MESH": 1, "FADED_ONE_IN": 4096},
 }
 # And those that stand for a count of things which the scene may lack.
-COUNTS = {"triangle_count": "HAS_TRIANGLES"}
+COUNTS = {"sphere_count": "HAS_SPHERES", "plane_count": "HAS_PLANES", "light_count": "HAS_LIGHTS",
+          "triangle_count": "HAS_TRIANGLES"}
 # The lesson of 08 is compiled as C++, OpenCL C and GLSL, and no kernel includes it.
 BESIDE = {8: "kernels/transfer_curves.h"}
 
@@ -42,18 +44,19 @@ def number_of(stage):
 
 
 def included(path, files):
-    """Adds the file and all that it includes, each once."""
+    """Adds the file after all that it includes, each once."""
     if path in files:
         return
-    files[path] = []
+    files[path] = lines = []  # where it includes what includes it
     for line in path.read_text().splitlines():
         module = re.match(r'#include "(.*)"', line)
         if not module:
-            files[path].append(line)
+            lines.append(line)
         elif module[1].endswith(".inc"):  # a part of a declaration
-            files[path] += (ROOT / "kernels" / module[1]).read_text().splitlines()[2:]
+            lines += (ROOT / "kernels" / module[1]).read_text().splitlines()[2:]
         else:
             included(ROOT / "kernels" / module[1], files)
+    files[path] = files.pop(path)
 
 
 def value_of(condition, names):
@@ -104,8 +107,8 @@ def term_value(term, names):
     """Of what stands between two &&: whether it holds, or None where the kernel must ask."""
     term = term.strip()
     if count := re.fullmatch(r"\w+ < (?:2 \* )?scene->(\w+)", term):
-        return None if COUNTS.get(count[1], "HAS_SPHERES") in names else False
-    if not re.fullmatch(r"!?(HAS_|METHOD_|FADED_|ORIGIN_)\w+( > 0)?", term):
+        return None if names.get(COUNTS.get(count[1], "")) else False
+    if not re.fullmatch(r"!?(HAS_|METHOD_|FADED_)\w+( > 0)?", term):
         return None
     return value_of(term, names)
 
@@ -125,14 +128,17 @@ def resolved(lines, names):
         if body != end + 1 or all(value is None for value in values):
             continue
         after = closing(text, body)
-        if False in values:
-            text = text[:found.start()] + text[after + 1:]
-            place = found.start()
-        elif rest := [term for term, value in zip(terms, values) if value is None]:
+        within, other = text[body + 2:after - 1], ""
+        if text[after:].startswith(" else {"):
+            begin = after + len(" else ")
+            after = closing(text, begin)
+            other = text[begin + 2:after - 1]
+        rest = [term for term, value in zip(terms, values) if value is None]
+        if rest and False not in values:
             text = text[:found.end()] + head.replace(condition, "&&".join(rest).lstrip()) + text[end - 1:]
-        else:  # always: what is within stands alone
-            inner = re.sub(r"^    ", "", text[body + 2:after - 1].rstrip(" "), flags=re.MULTILINE)
-            text = text[:found.start()] + inner + text[after + 1:]
+        else:  # what is done always, or never, stands alone or not at all
+            kept = other if False in values else within
+            text = text[:found.start()] + re.sub(r"^    ", "", kept.rstrip(" "), flags=re.MULTILINE) + text[after + 1:]
             place = found.start()
     return text.splitlines()
 
@@ -152,8 +158,8 @@ def pieces_of(lines):
         piece.append(line)
         code = code_of(line)
         depth += code.count("{") - code.count("}")
-        if depth == 0 and (code.endswith((";", "}")) or re.match(r"#|.*[^\\]$", code) and
-                           code_of(piece_start(piece)).startswith("#")):
+        if depth == 0 and (code.endswith((";", "}")) or code_of(piece_start(piece)).startswith("#")
+                           and not code.endswith("\\")):
             yield piece
             piece = []
 
@@ -163,38 +169,40 @@ def piece_start(piece):
     return next((line for line in piece if code_of(line)), "")
 
 
-def name_of(piece):
+def names_of(piece):
     """What other code calls the piece by; none for what is always kept."""
     text = " ".join(map(code_of, piece)).strip()
+    if enumerators := re.match(r"(?:typedef )?enum \w*\s*{(.*)}", text):
+        return set(re.findall(r"\w+", enumerators[1]))
     for pattern in (r"#define (\w+)", r"static [^;={]*?\b(\w+)\(", r"__constant \w+ (\w+)",
                     r"typedef .*\b(\w+);$"):
         if found := re.match(pattern, text):
-            return found[1]
-    return ""
+            return {found[1]}
+    return set()
 
 
-def uses_of(piece, names):
-    """All words of the piece, and what JOIN(a_, METHOD_B) comes to."""
-    text = " ".join(map(code_of, piece))
-    words = set(re.findall(r"\w+", text))
-    return words | {prefix + str(names.get(method, ""))
-                    for prefix, method in re.findall(r"JOIN\((\w+), (\w+)\)", text)}
+def uses_of(piece):
+    """All words of the piece."""
+    return set(re.findall(r"\w+", " ".join(map(code_of, piece))))
 
 
-def reached(files, names):
+def reached(files):
     """Without the pieces that nothing leads to from the kernel."""
     pieces = {file: list(pieces_of(lines)) for file, lines in files.items()}
     by_name = {}
+    kept = []
     for piece in itertools.chain(*pieces.values()):
-        by_name.setdefault(name_of(piece), []).append(piece)
-    wanted = {""}
-    to_see = list(by_name[""])
-    while to_see:
-        new = uses_of(to_see.pop(), names) & by_name.keys() - wanted
+        for name in names_of(piece):
+            by_name.setdefault(name, []).append(piece)
+        if not names_of(piece):
+            kept.append(piece)
+    wanted = set()
+    for piece in kept:  # which grows
+        new = uses_of(piece) & by_name.keys() - wanted
         wanted |= new
         for name in new:
-            to_see += by_name[name]
-    return {file: [line for piece in of_file if name_of(piece) in wanted for line in piece]
+            kept += by_name[name]
+    return {file: [line for piece in of_file if not names_of(piece) or names_of(piece) & wanted for line in piece]
             for file, of_file in pieces.items()}
 
 
@@ -203,41 +211,43 @@ def read_members(files):
     text = "\n".join(code_of(line) for lines in files.values() for line in lines)
     ours = "\n".join(code_of(line) for file, lines in files.items() if file.suffix == ".cl"
                      for line in lines)  # those of a .h are the host's too
-    written = r"(?:\.|->)%s(?:\[[^]]*\])?(?:\.\w+)? = "
-    unread = {name for struct in re.findall(r"^typedef struct \w+ {\n(.*?)^}", ours, re.MULTILINE | re.DOTALL)
-              for name in re.findall(r"[ *](\w+)(?:\[\w+\])*;$", struct, re.MULTILINE)
-              if len(re.findall(r"(?:\.|->)%s\b" % name, text))
-              == len(re.findall(written % name, text))}
+    structs = re.findall(r"^typedef struct \w+ {\n(.*?)^}", ours, re.MULTILINE | re.DOTALL)
+    names = {name for struct in structs
+             for name in re.findall(r"[ *](\w+)(?:\[\w+\])*;$", struct, re.MULTILINE)}
+    put = r"(?:\w(?:\.|->)%s(?:\[[^]]*\])?(?:\.\w+)? =(?!=)[^;{]*;|[\s{]\.%s = \w+,)"
+    unread = {name for name in names
+              if not re.search(rf"(?:\.|->){name}\b", re.sub(put % (name, name), "", text))}
     kept = {}
     for file, lines in files.items():
         kept[file] = []
         inside = False  # of a statement that is left out
         for line in lines:
             code = code_of(line)
-            name = re.match(r"    [\w ]+[ *](\w+)(?:\[\w+\])*;$", code) \
-                or re.match(r"\s*[\w>.\[\]-]*(?:\.|->)(\w+)(?:\[[^]]*\])? = ", code)
+            name = file.suffix == ".cl" and re.match(r"    [\w ]+[ *](\w+)(?:\[\w+\])*;$", code) \
+                or re.match(r"\s*[\w>.\[\]-]*(?:\.|->)(\w+)(?:\[[^]]*\])? =(?!=)", code)
             inside = inside or bool(name and name[1] in unread)
             if not inside:
                 kept[file].append(line)
-            elif code.endswith((";", ",")):
+            elif code.endswith(";") or code.lstrip().startswith("."):
                 inside = False
     return kept
 
 
-def lesson(stage):
-    """What a reader of the stage reads: the lines of each file."""
+@functools.cache
+def lesson(stage, without=()):
+    """What a reader of the stage reads, or of it in a scene that has no such things: the lines of each file."""
     number = number_of(stage)
     names = {"__OPENCL_VERSION__": 120}
     for first, known in LEARNT.items():
         if first <= number:
-            names |= known
+            names |= {name: value for name, value in known.items() if name not in without}
     files = {}
     included(stage / "kernel.cl", files)
     files = {file: resolved(learnt(lines, names), names) for file, lines in files.items()}
     before = None
     while files != before:  # what is left out may have been all that asked for something else
         before = files
-        files = reached(read_members(files), names)
+        files = reached(read_members(files))
     for first, file in BESIDE.items():
         if first <= number:
             files[ROOT / file] = (ROOT / file).read_text().splitlines()
@@ -260,6 +270,40 @@ def counts(lines):
     added = sum(line.startswith("+") and not line.startswith("+++") for line in code)
     removed = sum(line.startswith("-") and not line.startswith("---") for line in code)
     return added, removed
+
+
+def introduced(before, after):
+    """Of each module of the later lesson that is not as in the earlier one: "new", or "extended"."""
+    old, new = lesson(before) if before else {}, lesson(after)
+    beside = BESIDE.get(number_of(after))
+    return {file.removeprefix("kernels/"): "extended" if file in old else "new" for file, lines in new.items()
+            if file.startswith("kernels/") and file != beside
+            and counts(list(difflib.unified_diff(old.get(file, []), lines, lineterm="")))[0]}
+
+
+def hold_to_signposts():
+    """Whether what kernel.cl and the heads of modules say of new and extended modules is so."""
+    kept = True
+    stages_of = {}  # of a module: those that extend it, the first of which introduces it
+    for before, after in itertools.pairwise([None, *stages()]):
+        marks = introduced(before, after)
+        for module in marks:
+            stages_of.setdefault(module, []).append(after.name[:2])
+        text = (after / "kernel.cl").read_text()
+        said = dict(re.findall(r'^#include "(.*)" *// (new|extended): ', text, re.MULTILINE)) if before else marks
+        for module in sorted(said.keys() | marks.keys()):
+            if said.get(module) != marks.get(module):
+                print(f"{after.name}/kernel.cl: {module} is {marks.get(module, 'as before')}, and it says "
+                      f"{said.get(module, 'nothing')}")
+                kept = False
+    for module, numbers in stages_of.items():
+        head = re.match(r"// SPDX.*\n// Introduced by stage ((?:[^:]|\n// )*):", (ROOT / "kernels" / module).read_text())
+        said = re.findall(r"\b\d\d\b", head[1]) if head else []
+        if said != numbers:
+            print(f"kernels/{module}: its head says {', '.join(said) or 'nothing'}; expected Introduced by stage "
+                  f"{', '.join(numbers)}")
+            kept = False
+    return kept
 
 
 def show(before, after):
@@ -297,7 +341,7 @@ def hold_to_budget():
 def main(arguments):
     by_number = {number_of(stage): stage for stage in stages()}
     if not arguments:
-        return 0 if hold_to_budget() else 1
+        return 0 if all([hold_to_budget(), hold_to_signposts()]) else 1
     wanted = [by_number.get(int(text[:2])) if text[:2].isdigit() else None for text in arguments]
     if len(wanted) != 2 or None in wanted:
         names = ", ".join(stage.name for stage in by_number.values())

@@ -254,7 +254,7 @@ def write_png(path, picture):
 
 
 def copy_kernels(folder):
-    for pattern in ("kernels/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl"):
+    for pattern in ("kernels/**/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl"):
         for file in ROOT.glob(pattern):
             copy = folder / file.relative_to(ROOT)
             copy.parent.mkdir(parents=True, exist_ok=True)

@@ -2,8 +2,8 @@
 #include "app/stage_program.h"
 
 #include <optional>
-#include <utility>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>

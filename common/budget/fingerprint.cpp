@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "device/kernel_source.h"
+#include "scene/lessons.h"
 
 namespace stagelight {
 namespace {
@@ -95,7 +96,10 @@ std::uint64_t fingerprint(const cl::Device &device, const std::string &stage, co
     add_looks(hash, scene);
     hash.add(device.getInfo<CL_DEVICE_NAME>());
     hash.add(device.getInfo<CL_DRIVER_VERSION>());
-    hash.add(kernel_source("stages/" + stage + "/kernel.cl", settings.kernels));
+    for (const Method &method : methods_of(stage_number(stage))) {
+        hash.add(kernel_source("stages/" + stage + "/kernel.cl", settings.kernels,
+                               {{method.kind, method.name}}));
+    }
     hash.add(settings.width);
     hash.add(settings.height);
     hash.add(settings.max_depth);

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <thread>
 
-#include <CL/cl_half.h>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 
@@ -68,18 +67,13 @@ struct Branch {
     Part left, right;
 };
 
-// The nearest half that is not less than `number` or, where `outwards` is negative, not greater.
-std::uint16_t half_beyond(float number, int outwards) {
-    return cl_half_from_float(number, outwards < 0 ? CL_HALF_RTN : CL_HALF_RTP);
-}
-
 class Builder {
 public:
     Builder(const Scene &scene, const BvhLayout &layout) : boxes_(scene.triangles.size()) {
         bvh_.layout = layout;
         for (std::size_t i = 0; i < boxes_.size(); ++i) {
             for (const std::uint32_t vertex : scene.triangles[i].vertices) {
-                boxes_[i].add(stored_position(scene.vertices[vertex], layout.is_half));
+                boxes_[i].add(glm::vec3(scene.vertices[vertex].position));
             }
         }
         bvh_.order.resize(boxes_.size());
@@ -251,7 +245,7 @@ private:
     std::uint32_t emit(const std::vector<Part> &children, int waiting) {
         bvh_.stack_size = std::max(bvh_.stack_size, waiting);
         const std::size_t node = bvh_.nodes.size();
-        const std::size_t words = words_of_box() * width() + 2 * width();
+        const std::size_t words = 6 * width() + 2 * width();
         bvh_.nodes.resize(node + words);
         const auto is_inner = [](const Part &child) { return child.branch != 0; };
         const auto inner = static_cast<int>(std::ranges::count_if(children, is_inner));
@@ -266,27 +260,20 @@ private:
     }
 
     std::size_t width() const { return static_cast<std::size_t>(bvh_.layout.width); }
-    std::size_t words_of_box() const { return bvh_.layout.is_half ? 3 : 6; }
 
     void put_child(std::size_t node, std::size_t index, const Part &child, std::uint32_t first) {
         for (int axis = 0; axis < 3; ++axis) {
             const auto row = static_cast<std::size_t>(axis) * width() + index;
-            put_plane(node, row, child.box.low[axis] - room_, -1);
-            put_plane(node, 3 * width() + row, child.box.high[axis] + room_, 1);
+            put_plane(node + row, child.box.low[axis] - room_);
+            put_plane(node + 3 * width() + row, child.box.high[axis] + room_);
         }
-        const std::size_t children = node + words_of_box() * width() + index;
+        const std::size_t children = node + 6 * width() + index;
         bvh_.nodes[children] = first;
         bvh_.nodes[children + width()] = child.branch == 0 ? child.range.size() : 0;
     }
 
-    // Never further in than it is: what a half can't hold is rounded to the side of `outwards`.
-    void put_plane(std::size_t node, std::size_t place, float plane, int outwards) {
-        if (!bvh_.layout.is_half) {
-            bvh_.nodes[node + place] = std::bit_cast<std::uint32_t>(plane);
-            return;
-        }
-        const std::uint32_t bits = half_beyond(plane, outwards);
-        bvh_.nodes[node + place / 2] |= place % 2 == 0 ? bits : bits << 16U;
+    void put_plane(std::size_t place, float plane) {
+        bvh_.nodes[place] = std::bit_cast<std::uint32_t>(plane);
     }
 
     float room_ = 0;  // how far boxes are grown on every side
@@ -299,22 +286,6 @@ private:
 
 Bvh build_bvh(const Scene &scene, const BvhLayout &layout) {
     return Builder(scene, layout).build();
-}
-
-std::uint16_t to_half(float number) {
-    constexpr float largest = 65504;
-    return cl_half_from_float(std::clamp(number, -largest, largest), CL_HALF_RTE);
-}
-
-float from_half(std::uint16_t bits) {
-    return cl_half_to_float(bits);
-}
-
-glm::vec3 stored_position(const Vertex &vertex, bool is_half) {
-    const glm::vec3 position(vertex.position);
-    return is_half ? glm::vec3(from_half(to_half(position.x)), from_half(to_half(position.y)),
-                               from_half(to_half(position.z)))
-                   : position;
 }
 
 }  // namespace stagelight

@@ -13,12 +13,11 @@ namespace stagelight {
 struct BvhLayout {
     int width = 4;         // children that a node has room for
     bool has_room = true;  // boxes are grown by what rounding does to rays
-    bool is_half = false;  // in half the bits, whose boxes hold what the corners are rounded to
 };
 
 struct Bvh {
-    // BvhNode after BvhNode (kernels/scene_types.h), two half or a float as their bits; the first
-    // is the root, and nodes come before their children.
+    // BvhNode after BvhNode (kernels/scene.cl), floats as their bits; the first is the root, and
+    // nodes come before their children.
     std::vector<std::uint32_t> nodes;
     BvhLayout layout;
     int stack_size = 0;                // nodes that can be waiting at a time
@@ -31,13 +30,5 @@ struct Bvh {
 // rounded as `layout` says. The tree is the same on any number of cores; a scene without triangles
 // has no nodes.
 Bvh build_bvh(const Scene &scene, const BvhLayout &layout = {});
-
-// The bits of the half that is nearest to a number, of the largest finite one for what is larger;
-// and the number that such bits stand for.
-std::uint16_t to_half(float number);
-float from_half(std::uint16_t bits);
-
-// A vertex as the device has it.
-glm::vec3 stored_position(const Vertex &vertex, bool is_half);
 
 }  // namespace stagelight

@@ -36,10 +36,10 @@ Bytes pack(const Elements &elements, Convert convert) {
 
 using Corners = std::array<glm::vec3, 3>;
 
-Corners corners_of(const Scene &scene, std::uint32_t index, bool is_half) {
+Corners corners_of(const Scene &scene, std::uint32_t index) {
     const auto &vertices = scene.triangles[index].vertices;
     const auto corner = [&](std::size_t i) {
-        return stored_position(scene.vertices[vertices[i]], is_half);
+        return glm::vec3(scene.vertices[vertices[i]].position);
     };
     return {corner(0), corner(1), corner(2)};
 }
@@ -54,57 +54,8 @@ device::Facet facet_of(const Corners &corners) {
     return facet;
 }
 
-device::HalfFacet half_facet_of(const Corners &corners) {
-    device::HalfFacet facet = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            facet.corners[i][axis] = to_half(corners[i][axis]);
-        }
-    }
-    return facet;
-}
-
-// Baldwin and Weber 2016, section 3.1: the plane is seen along the axis that its normal is longest
-// along, where the weights are those of a triangle in two dimensions. In double, rounded once.
-device::FacetMap facet_map_of(const Corners &corners) {
-    const glm::dvec3 a(corners[0]);
-    const glm::dvec3 b = glm::dvec3(corners[1]) - a;
-    const glm::dvec3 c = glm::dvec3(corners[2]) - a;
-    const glm::dvec3 normal = glm::cross(b, c);
-    const glm::dvec3 length = glm::abs(normal);
-    const int axis =
-        length.x > length.y ? (length.x > length.z ? 0 : 2) : (length.y > length.z ? 1 : 2);
-    const int u = (axis + 1) % 3;
-    const int v = (axis + 2) % 3;
-    const auto row = [&](double by_u, double by_v, double constant, float *out) {
-        out[0] = static_cast<float>(by_u);
-        out[1] = static_cast<float>(by_v);
-        out[2] = static_cast<float>(constant);
-    };
-    const double n = normal[axis];  // twice the area as seen along the axis
-    device::FacetMap map = {};
-    map.axis = axis;
-    row(normal[u] / n, normal[v] / n, -glm::dot(normal, a) / n, map.along);
-    row(c[v] / n, -c[u] / n, (a[v] * c[u] - a[u] * c[v]) / n, map.to_b);
-    row(-b[v] / n, b[u] / n, (a[u] * b[v] - a[v] * b[u]) / n, map.to_c);
-    return map;
-}
-
-Bytes half_normals(const Scene &scene) {
-    return pack(scene.vertices, [](const Vertex &v) {
-        const glm::vec3 normal(v.normal);
-        return std::array<std::uint16_t, 4>{to_half(normal.x), to_half(normal.y), to_half(normal.z),
-                                            0};
-    });
-}
-
 Bytes facets(const Scene &scene, const Bvh &bvh) {
-    const auto pack_corners = [&](auto convert) {
-        return pack(bvh.order, [&](std::uint32_t index) {
-            return convert(corners_of(scene, index, bvh.layout.is_half));
-        });
-    };
-    return bvh.layout.is_half ? pack_corners(half_facet_of) : pack_corners(facet_of);
+    return pack(bvh.order, [&](std::uint32_t index) { return facet_of(corners_of(scene, index)); });
 }
 
 // What the host puts behind each name in kernels/scene.cl.
@@ -129,11 +80,6 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     if (name == "facets") {
         return facets(scene, bvh);
     }
-    if (name == "facet_maps") {
-        return pack(bvh.order, [&](std::uint32_t index) {
-            return facet_map_of(corners_of(scene, index, bvh.layout.is_half));
-        });
-    }
     if (name == "bvh_nodes") {
         return pack(bvh.nodes, [](std::uint32_t word) { return word; });
     }
@@ -144,9 +90,6 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     }
     if (name == "vertex_positions") {
         return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.position); });
-    }
-    if (name == "vertex_normals" && bvh.layout.is_half) {
-        return half_normals(scene);
     }
     if (name == "vertex_normals") {
         return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.normal); });
@@ -162,10 +105,11 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
 
 // Of the argument that says how many there are; none for any other.
 std::optional<cl_int> count_of(const std::string &name, const Scene &scene) {
-    const std::pair<const char *, std::size_t> counts[] = {{"sphere_count", scene.spheres.size()},
-                                                           {"plane_count", scene.planes.size()},
-                                                           {"light_count", scene.lights.size()},
-                                                           {"triangle_count", scene.triangles.size()}};
+    const std::pair<const char *, std::size_t> counts[] = {
+        {"sphere_count", scene.spheres.size()},
+        {"plane_count", scene.planes.size()},
+        {"light_count", scene.lights.size()},
+        {"triangle_count", scene.triangles.size()}};
     const auto *found =
         std::ranges::find(counts, name, [](const auto &count) { return count.first; });
     return found == std::end(counts) ? std::nullopt
@@ -203,7 +147,6 @@ std::vector<std::string> argument_order(const SceneNeeds &needs, int stage) {
     add(meshes, {"triangles", "triangle_count", "vertex_normals"});
     add(tree, {"facets", "bvh_nodes"});
     add(meshes && !tree, {"vertex_positions"});
-    add(has("HAS_FACET_MAPS"), {"facet_maps"});
     add(has("HAS_MESH_TEXTURES"), {"vertex_texture_coordinates"});
     add(has("HAS_TEXTURES"), {"textures"});
     add(true, {"background"});

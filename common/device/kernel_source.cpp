@@ -28,12 +28,11 @@ std::string read_from_disk(const std::filesystem::path &file) {
 
 class Expansion {
 public:
-    explicit Expansion(const std::optional<std::filesystem::path> &checkout)
-        : checkout_(checkout) {}
+    Expansion(const std::optional<std::filesystem::path> &checkout, const Methods &methods)
+        : checkout_(checkout), methods_(methods) {}
 
     void append(const std::string &path) {
-        const bool each_time = path.ends_with(".inc");  // within a declaration
-        if (!included_.insert(path).second && !each_time) {
+        if (!included_.insert(path).second && !path.ends_with(".inc")) {
             return;
         }
         text_ += fmt::format("#line 1 \"{}\"\n", path);
@@ -44,7 +43,7 @@ public:
         for (int number = 1; std::getline(lines, line); ++number) {
             const std::string next_line = fmt::format("#line {} \"{}\"\n", number + 1, path);
             if (const std::optional<std::string> module = included_module(line)) {
-                append("kernels/" + *module);
+                append("kernels/" + chosen_file(*module).generic_string());
                 text_ += next_line;
                 may_be_left_out = depth > 0;
                 continue;
@@ -70,6 +69,12 @@ private:
         return line.substr(start.size(), end - start.size());
     }
 
+    // Where the folder of a module is named after a kind of method, that of the chosen method.
+    std::filesystem::path chosen_file(const std::filesystem::path &module) const {
+        const auto chosen = methods_.find(module.parent_path().filename());
+        return chosen == methods_.end() ? module : module.parent_path() / (chosen->second + ".cl");
+    }
+
     std::string read(const std::string &path) const {
         if (checkout_) {
             return read_from_disk(*checkout_ / path);
@@ -82,6 +87,7 @@ private:
     }
 
     const std::optional<std::filesystem::path> &checkout_;
+    const Methods &methods_;
     std::set<std::string> included_;
     std::string text_;
 };
@@ -95,9 +101,10 @@ named_kernels(const std::optional<std::filesystem::path> &checkout) {
 }
 
 std::string kernel_source(const std::string &path,
-                          const std::optional<std::filesystem::path> &checkout) {
+                          const std::optional<std::filesystem::path> &checkout,
+                          const Methods &methods) {
     const std::optional<std::filesystem::path> folder = named_kernels(checkout);
-    Expansion expansion(folder);
+    Expansion expansion(folder, methods);
     expansion.append(path);
     return expansion.take();
 }

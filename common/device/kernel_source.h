@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "device/methods.h"
+
 namespace stagelight {
 
 // By path in the checkout: "kernels/ray.cl", "stages/01_primitives/kernel.cl", …
@@ -20,9 +22,12 @@ named_kernels(const std::optional<std::filesystem::path> &checkout);
 
 // The text of `path` ("stages/NN_name/kernel.cl") with every #include "module" replaced by
 // kernels/module, each once, and #line directives, so that a compiler's message names the
-// module and its line. With a folder named, which holds kernels/ and stages/ as the
-// repository does, all of it is read from there. Throws UserError for a file that is missing.
+// module and its line. A .inc is a part of a declaration, and replaced wherever it stands. A module
+// in a folder of a kind of `methods`, as sphere/haines.cl, gives way to the one that was chosen.
+// With a folder named, which holds kernels/ and stages/ as the repository does, all of it is read
+// from there. Throws UserError for a file that is missing.
 std::string kernel_source(const std::string &path,
-                          const std::optional<std::filesystem::path> &checkout = {});
+                          const std::optional<std::filesystem::path> &checkout = {},
+                          const Methods &methods = {});
 
 }  // namespace stagelight

@@ -15,48 +15,35 @@ const std::vector<Method> &all_methods() {
     static const std::vector<Method> methods = {
         {"sphere", "haines", acceleration_stage, "",
          "Haines et al., Ray Tracing Gems 2019, chapter 7: no difference of large numbers"},
-        {"sphere", "geometric", acceleration_stage, "-D METHOD_SPHERE=geometric",
+        {"sphere", "geometric", acceleration_stage, "",
          "the paper, section 2: by the perpendicular from the centre"},
-        {"sphere", "textbook", acceleration_stage, "-D METHOD_SPHERE=textbook",
-         "the quadratic formula as in school"},
+        {"sphere", "textbook", acceleration_stage, "", "the quadratic formula as in school"},
         {"triangle", "woop", acceleration_stage, "", "Woop, Benthin and Wald 2013: watertight"},
-        {"triangle", "moeller_trumbore", acceleration_stage, "-D METHOD_TRIANGLE=moeller_trumbore",
+        {"triangle", "moeller_trumbore", acceleration_stage, "",
          "Möller and Trumbore 1997, with no threshold"},
-        {"triangle", "threshold", acceleration_stage, "-D METHOD_TRIANGLE=threshold",
+        {"triangle", "threshold", acceleration_stage, "",
          "Möller and Trumbore 1997, as in their code: no determinant below 1e-5"},
-        {"triangle", "baldwin_weber", acceleration_stage,
-         "-D METHOD_TRIANGLE=baldwin_weber",
-         "Baldwin and Weber 2016: each triangle brings its map"},
         {"box", "robust", acceleration_stage, "",
          "by comparing, with room for 2 ulp of each coordinate (after Ize 2013)"},
-        {"box", "ordered", acceleration_stage, "-D METHOD_BOX=ordered",
-         "Kay and Kajiya 1986, by comparing"},
-        {"box", "fminmax", acceleration_stage, "-D METHOD_BOX=fminmax",
-         "Kay and Kajiya 1986, by fmin and fmax"},
-        {"origin", "error_bound", 2, "-D ORIGIN_IS_SCALED=0",
+        {"box", "ordered", acceleration_stage, "", "Kay and Kajiya 1986, by comparing"},
+        {"origin", "error_bound", 2, "",
          "PBRT 3rd edition, section 3.9: by what rounding can have done to the position"},
-        {"origin", "scaled", 2, "-D METHOD_ORIGIN=scaled -D ORIGIN_IS_SCALED=1",
-         "off the surface by 2e-6 of the largest number in play"},
-        {"origin", "fixed", 2, "-D METHOD_ORIGIN=fixed -D ORIGIN_IS_SCALED=0", "off the surface by 0.001"},
-        {"origin", "integer", 2, "-D METHOD_ORIGIN=integer -D ORIGIN_IS_SCALED=0",
-         "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
+        {"origin", "scaled", 2, "", "off the surface by 2e-6 of the largest number in play"},
+        {"origin", "fixed", 2, "", "off the surface by 0.001"},
+        {"origin", "integer", 2, "", "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
         {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
-        {"fresnel", "exact", fading_stage, "-D METHOD_FRESNEL=exact",
+        {"fresnel", "exact", fading_stage, "",
          "Fresnel's equations, for light that is not polarised"},
-        {"fresnel", "none", glass_stage, "-D METHOD_FRESNEL=none",
-         "no reflection, short of total internal reflection"},
+        {"fresnel", "none", glass_stage, "", "no reflection, short of total internal reflection"},
         {"interior", "full", glass_stage, "-D METHOD_INTERIOR_PAPER=0",
          "Snell, Schlick and Beer at every wall, to the depth limit"},
         {"interior", "paper", glass_stage, "-D METHOD_INTERIOR_PAPER=1",
          "the paper, section 5: once through the sphere, no reflection inside"},
         {"transmission", "exp", glass_stage, "", "Beer's law by exp"},
-        {"transmission", "native_exp", glass_stage, "-D METHOD_TRANSMISSION=native",
-         "Beer's law by the device's native_exp"},
-        {"transmission", "none", glass_stage, "-D METHOD_TRANSMISSION=none",
-         "glass that absorbs nothing"},
+        {"transmission", "native_exp", glass_stage, "", "Beer's law by the device's native_exp"},
+        {"transmission", "none", glass_stage, "", "glass that absorbs nothing"},
         {"filtering", "sampler", texture_stage, "", "of four texels, by the device's sampler"},
-        {"filtering", "hand", texture_stage, "-D METHOD_FILTERING=hand",
-         "of four texels, in float"},
+        {"filtering", "hand", texture_stage, "", "of four texels, in float"},
         {"decode", "srgb", gamma_stage, "",
          "IEC 61966-2-1, a table of the 256 codes: texels are sRGB, as pictures mostly are"},
         {"decode", "2.2", gamma_stage, "", "the paper, section 8: texels are light to 1 / 2.2"},
@@ -65,7 +52,7 @@ const std::vector<Method> &all_methods() {
          "IEC 61966-2-1, by straight lines between 257 points of its curve"},
         {"encode", "2.2", gamma_stage, "", "the paper, section 8: light to 1 / 2.2"},
         {"normalise", "exact", 1, "", "by 1 / sqrt"},
-        {"normalise", "native", 1, "-D METHOD_NORMALISE=native", "by the device's native_rsqrt"},
+        {"normalise", "native", 1, "", "by the device's native_rsqrt"},
         {"math", "strict", 1, "",
          "every operation rounded as IEEE 754 has it; division and square root within 3 ulp where "
          "the device lacks CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT"},
@@ -75,9 +62,6 @@ const std::vector<Method> &all_methods() {
          "-cl-fast-relaxed-math: and reordered, with no thought of NaN and infinity"},
         {"math", "fp64", 1, "-D METHOD_MATH_FP64=1",
          "in double, on what lies in memory as float; where the device has cl_khr_fp64"},
-        {"storage", "float", acceleration_stage, "", "boxes and corners in 32 bits a number"},
-        {"storage", "half", acceleration_stage, "-D STORAGE_IS_HALF=1",
-         "boxes, corners and normals in 16 bits a number"},
         {"depth", "contribution", fading_stage, "",
          "until a ray carries less than 1/4096 of a pixel"},
         {"depth", "coarse", fading_stage, "", "until a ray carries less than 1/64 of a pixel"},
@@ -137,6 +121,13 @@ std::string choice(const Methods &methods, const std::string &kind) {
                                    : std::ranges::find(all_methods(), kind, &Method::kind)->name;
 }
 
+Methods files_of(Methods methods, const SceneNeeds &needs) {
+    if (value_of(needs, "HAS_TEXTURES") == 0) {
+        methods["filtering"] = "none";  // kernels/filtering/none.cl
+    }
+    return methods;
+}
+
 bool matters(const std::string &kind, const SceneNeeds &needs) {
     const auto has = [&needs](const char *name) { return value_of(needs, name) != 0; };
     const bool glass = has("HAS_DIELECTRIC");
@@ -145,7 +136,6 @@ bool matters(const std::string &kind, const SceneNeeds &needs) {
         {"sphere", has("HAS_SPHERES")},
         {"triangle", has("HAS_TRIANGLES")},
         {"box", has("HAS_TRIANGLES")},
-        {"storage", has("HAS_TRIANGLES")},
         {"nodes", has("HAS_TRIANGLES")},
         {"origin", has("HAS_LIGHTS") || bounces},
         {"fresnel", glass},

@@ -34,6 +34,9 @@ std::vector<Method> methods_of(int stage);
 // What was chosen, by kind; a kind that is missing stands for its default.
 using Methods = std::map<std::string, std::string>;
 
+// What kernel_source takes for a scene: a scene without textures has nothing to filter.
+Methods files_of(Methods methods, const SceneNeeds &needs);
+
 // The name that was chosen for a kind, or its default.
 std::string choice(const Methods &methods, const std::string &kind);
 

@@ -34,8 +34,8 @@ SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at = 
 // 0 for what is not among them.
 int value_of(const SceneNeeds &needs, const std::string &name);
 
-// Every name that kernels ask for, as options of their compiler: what is not among the needs as 0, or
-// where a number of things is meant, as the smallest that builds.
+// Every name that kernels ask for, as options of their compiler: what is not among the needs as 0,
+// or where a number of things is meant, as the smallest that builds.
 std::string definitions_of(const SceneNeeds &needs);
 
 // Whether any triangle's material has a texture.

@@ -53,8 +53,7 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
 
 BvhLayout layout_of(const Methods &methods) {
     return {.width = std::stoi(choice(methods, "nodes")),
-            .has_room = choice(methods, "box") == "robust",
-            .is_half = choice(methods, "storage") == "half"};
+            .has_room = choice(methods, "box") == "robust"};
 }
 
 // ": " and the first line of what a compiler said, which `log` has after ":\n".
@@ -215,14 +214,13 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     if (!bvh.nodes.empty()) {
         constexpr int step = 16;  // so that trees of much the same depth share a program
         needs_.emplace_back("HAS_TREE", 1);
-        needs_.emplace_back("HAS_FACET_MAPS",
-                            choice(settings.methods, "triangle") == "baldwin_weber" ? 1 : 0);
         needs_.emplace_back("BVH_WIDTH", bvh.layout.width);
         needs_.emplace_back("BVH_STACK_SIZE", (bvh.stack_size + step - 1) / step * step);
     }
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
-    const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels);
+    const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels,
+                                             files_of(settings.methods, needs_));
     milliseconds_.kernel = timed("building the kernel", [&] {
         const bool from_disk = named_kernels(settings.kernels).has_value();
         kernel_ = render_kernel(build_program(context, source, options_, from_disk), from_disk);
@@ -231,8 +229,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         }
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
-        names_ =
-            argument_names(kernel_, argument_order(needs_, stage_number(stage)));
+        names_ = argument_names(kernel_, argument_order(needs_, stage_number(stage)));
         scene_.emplace(context, device, kernel_, names_, scene, decode, bvh);
         if (settings.split && scene_->textures()) {
             plain_textures_.emplace(context, device, scene, Transfer::none);

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Stage 02: diffuse shading under point and directional lights, with hard shadows.
+#include "any_hit.cl"             // new: whether anything is in the way
+#include "diffuse.cl"             // new: the sum over the lights
+#include "light.cl"               // new: how much light arrives
+#include "origin.cl"              // new: where a shadow ray starts
+#include "origin/error_bound.cl"  // new: how far off the surface that is
+#include "ray_counts.cl"          // new: how many rays a picture took
+#include "shadow.cl"              // new: whether the light arrives
+#include "plane.cl"               // extended: lines
+#include "ray.cl"                 // extended: lines; what a surface is made of
+#include "scene.cl"               // extended: materials and lights
+#include "scene_types.h"          // extended: materials and lights
+#include "sphere.cl"              // extended: lines
+#include "surface.cl"             // extended: what it is made of, and where its rays start
 #include "camera.cl"
 #include "closest_hit.cl"
-#include "diffuse.cl"
-#include "origin.cl"  // new: where a shadow ray starts
 #include "picture.cl"
-#include "surface.cl"
 
 // #region render
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,

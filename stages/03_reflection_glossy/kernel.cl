@@ -3,5 +3,7 @@
 // OpenCL C knows no recursion, the rays that wait for their turn are kept on a stack.
 #include "ray_stack.cl"   // new: the rays still to be traced
 #include "reflection.cl"  // new: the ray that a mirror sends on
-#include "render.cl"      // new: the kernel, the same up to stage 08
+#include "render.cl"      // new: the kernel, from here to stage 08
+#include "shade.cl"       // new: what a material does with light
 #include "trace.cl"       // new: the loop that takes rays from the stack until none is left
+#include "scene_types.h"  // extended: types of material

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Stage 06: textures. The colour of a surface is read from a picture, at a place that a sphere
 // works out and a mesh brings along.
-#include "closest_hit.cl"  // extended: a surface knows where on its picture it is
-#include "render.cl"
-#include "texture.cl"              // new: one array of pictures, filtered by the device
+#include "filtering/sampler.cl"    // new: four texels, blended by the device
+#include "texture.cl"              // new: one array of pictures
 #include "texture_coordinates.cl"  // new: longitude and latitude
-#include "trace.cl"                // extended: the texel multiplies the colour
+#include "ray.cl"                  // extended: a surface knows where on its picture it is
+#include "real.cl"                 // extended: two numbers from memory
+#include "render.cl"               // extended: the pictures are arguments
+#include "scene.cl"                // extended: texture coordinates
+#include "shade.cl"                // extended: the texel multiplies the colour
+#include "surface.cl"              // extended: texture coordinates
+#include "trace.cl"                // extended: the pictures are handed on
+#include "triangle.cl"             // extended: texture coordinates

@@ -4,7 +4,4 @@
 // are not light but light through a curve, which spends 8 bits as the eye would. new:
 // transfer_curves.h has the curves. The host decodes each texel on load, and encodes the picture when
 // it is written, each of them once.
-#include "closest_hit.cl"
 #include "render.cl"
-#include "texture.cl"  // extended: its texels are light, so that the filter blends light
-#include "trace.cl"

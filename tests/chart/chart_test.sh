@@ -35,7 +35,7 @@ for scene in report["scenes"]:
     defaults = {p["kind"]: p for p in scene["points"] if p["default"]}
     for (kind, name), error in rmse.items():
         poor = (kind, name) in {("fresnel", "none"), ("interior", "paper"), ("transmission", "none"), ("origin", "fixed"),
-                                ("storage", "half"), ("decode", "2.2"), ("encode", "2.2"), ("depth", "coarse")}
+                                ("decode", "2.2"), ("encode", "2.2"), ("depth", "coarse")}
         sound = (kind, name) not in {("fresnel", "schlick"), ("encode", "srgb"), ("encode", "table")} | unpromised and not poor
         assert not sound or error < 1e-3, (scene["name"], kind, name, error)
         if poor and (scene["name"], kind) != ("08_gamma", "depth"):
@@ -43,7 +43,7 @@ for scene in report["scenes"]:
     assert all(any(p["front"] for p in scene["points"] if p["kind"] == kind) for kind in defaults)
 kinds = {kind for kind, _ in seen}
 assert kinds >= {"sphere", "triangle", "box", "origin", "fresnel", "interior", "transmission", "filtering", "decode",
-                 "encode", "normalise", "math", "storage", "depth", "nodes"}, kinds
+                 "encode", "normalise", "math", "depth", "nodes"}, kinds
 for name in ["index", "chart"] + [scene["name"] for scene in report["scenes"]]:
     for ending in ("svg", "png") if name != "index" else ("html",):
         assert (folder / f"{name}.{ending}").stat().st_size > 1000, name

@@ -135,8 +135,8 @@ private:
                 Renderer renderer(device_, stage(), scene_, with);
                 const Image picture = renderer.render().image;
                 if (!std::isfinite(rmse_of(picture, truth_.image))) {  // math=relaxed on LLVM 21
-                    chart_.left_out.push_back({method.kind + '=' + method.name,
-                                               "it draws what is no number"});
+                    chart_.left_out.push_back(
+                        {method.kind + '=' + method.name, "it draws what is no number"});
                     continue;
                 }
                 const double ratio = time_ratio(renderer, renderer_, rounds_);

@@ -122,7 +122,7 @@ TEST_F(Stage01NoArgumentNames, AreKnownByTheirOrder) {
     expect_same("07_interop", {scenes + "07_interop.toml", "--display", "none"}, no_names);
     expect_same("10_full_tracer", {scenes + "07_interop.toml"}, no_names);
     expect_same("10_full_tracer",
-                {scenes + "07_interop.toml", "--method", "triangle=baldwin_weber"}, no_names);
+                {scenes + "07_interop.toml", "--method", "triangle=moeller_trumbore"}, no_names);
 }
 
 TEST_F(Stage03SmallWorkGroups, DrawTheSame) {

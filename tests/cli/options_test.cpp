@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line as a whole: what a program does of itself, and what it refuses.
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -21,9 +22,13 @@ class EveryStage : public Cli, public testing::WithParamInterface<std::string> {
 
 // CLI11 2.4 and later indent long names further.
 bool starts_a_line(const std::string &text, const std::string &part) {
-    const std::size_t found = text.find(' ' + part);
-    return found != std::string::npos
-           && text.find_last_not_of(' ', found) == text.rfind('\n', found);
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find(part) == line.find_first_not_of(' ') && line.starts_with("  ")) {
+            return true;
+        }
+    }
+    return false;
 }
 
 const auto its_stage = [](const auto &stage) { return "Stage" + stage.param; };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What rounding, and a compiler that was allowed more, makes of a few lines of arithmetic.
+#include "packets/normalise/exact.cl"
 #include "wide_sphere.cl"
 
 typedef struct Units {
-    float4 exact, native, wide_exact, wide_native;
+    float4 one, wide;
 } Units;
 
 static float4 from_wide(const Wide3 a) {
@@ -13,10 +14,8 @@ static float4 from_wide(const Wide3 a) {
 __kernel void units(__global Units *results, __global const float4 *vectors) {
     const size_t i = get_global_id(0);
     const float3 vector = vectors[i].xyz;
-    results[i].exact = (float4)(unit_exact(vector), 0.0f);
-    results[i].native = (float4)(unit_native(vector), 0.0f);
-    results[i].wide_exact = from_wide(wide_unit_exact(wide3(vector)));
-    results[i].wide_native = from_wide(wide_unit_native(wide3(vector)));
+    results[i].one = (float4)(unit(vector), 0.0f);
+    results[i].wide = from_wide(wide_unit(wide3(vector)));
 }
 
 // The other side of a right triangle; `side` is never above `longest`.

@@ -27,7 +27,11 @@ protected:
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage09Slabs, each_device(), device_name);
 
 SceneNeeds with_tree(int width, int boxes) {
-    return {{"HAS_TRIANGLES", 1}, {"HAS_TREE", 1}, {"WIDTH", width}, {"BVH_WIDTH", boxes}, {"BVH_STACK_SIZE", 1}};
+    return {{"HAS_TRIANGLES", 1},
+            {"HAS_TREE", 1},
+            {"WIDTH", width},
+            {"BVH_WIDTH", boxes},
+            {"BVH_STACK_SIZE", 1}};
 }
 
 struct Case {

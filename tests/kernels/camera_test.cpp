@@ -93,8 +93,8 @@ TEST_P(KernelsStage01Offset, RaysStartOffTheSurfaceOnTheirSide) {
         normals.emplace_back(vec3(dice.direction()), 0);
         distances.push_back(float(scale * std::pow(10, dice.between(-3, 3))));
     }
-    const auto results =
-        build("primitives.cl").run<vec4>("origins_off", origins, directions, normals, distances);
+    const auto results = build("primitives.cl", {}, {{"origin", "scaled"}})
+                             .run<vec4>("origins_off", origins, directions, normals, distances);
     Worst offset("offset over size of coordinates"), along("way along the normal");
     for (std::size_t i = 0; i < results.size(); ++i) {
         const dvec3 origin(origins[i]), direction(directions[i]), normal(normals[i]);

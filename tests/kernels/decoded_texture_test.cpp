@@ -38,8 +38,8 @@ TEST_P(KernelsStage08Texture, TheFilterBlendsLight) {
         return std::array{red, green, code()};
     });
     for (const Transfer decode : curves) {
-        expect_colors(build("texture.cl", with_pictures, {}, decode), scene, decode,
-                      4 * ulp, std::sqrt(3.0) * half_rounding);
+        expect_colors(build("texture.cl", with_pictures, {}, decode), scene, decode, 4 * ulp,
+                      std::sqrt(3.0) * half_rounding);
     }
 }
 
@@ -57,8 +57,8 @@ TEST_P(KernelsStage08Texture, All256CodesComeBack) {
     scene.materials.push_back({.texture = 0, .where = {}});
     for (const Transfer decode : curves) {
         const auto encode = decode == Transfer::srgb ? exact::srgb_encode : exact::power_encode;
-        const auto colors = build("texture.cl", with_pictures, {}, decode)
-                                .run_in<vec4>(scene, "colors", centres);
+        const auto colors =
+            build("texture.cl", with_pictures, {}, decode).run_in<vec4>(scene, "colors", centres);
         Worst red("red"), green("green");
         for (int code = 0; code < 256; ++code) {
             const auto i = std::size_t(code);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rays and triangles by each way to intersect them: one of each a work-item, and closed meshes of
+// Rays and triangles by a way to intersect them: one of each a work-item, and closed meshes of
 // four that rays are in, where every miss is a leak.
-#include "wide_triangle.cl"
+#include "packets/triangle/woop.cl"
 
 // Of a packet of one ray the axis that it is longest along, as its walk has it; else each its own.
 static TriangleRays rays_for(const WideRays *rays) {
@@ -15,33 +15,25 @@ static TriangleRays rays_for(const WideRays *rays) {
 #endif
 }
 
-static Scene scene_of(__global const Facet *facets, __global const FacetMap *maps) {
+static Scene scene_of(__global const Facet *facets) {
     Scene scene;
     scene.facets = facets;
-    scene.facet_maps = maps;
     return scene;
 }
 
 // In x the distance, in y and z the weights of the second and third corner.
-#define HIT(method)                                                                               \
-    __kernel void hit_##method(__global float4 *hits, __global const float4 *origins,             \
-                               __global const float4 *directions, __global const Facet *facets,   \
-                               __global const FacetMap *maps) {                                   \
-        const size_t i = get_global_id(0);                                                        \
-        const Scene scene = scene_of(facets, maps);                                               \
-        WideRays rays = no_rays();                                                                \
-        rays.origin = wide3(origins[i].xyz);                                                      \
-        rays.direction = wide3(directions[i].xyz);                                                \
-        const TriangleRays shared = rays_for(&rays);                                              \
-        Lanes t, b, c;                                                                            \
-        t.wide = JOIN(wide_ray_triangle_, method)(&rays, &shared, &scene, i, &b.wide, &c.wide);   \
-        hits[i] = (float4)(t.lane[0], b.lane[0], c.lane[0], 0.0f);                                \
-    }
-
-HIT(woop)
-HIT(moeller_trumbore)
-HIT(threshold)
-HIT(baldwin_weber)
+__kernel void hit(__global float4 *hits, __global const float4 *origins,
+                  __global const float4 *directions, __global const Facet *facets) {
+    const size_t i = get_global_id(0);
+    const Scene scene = scene_of(facets);
+    WideRays rays = no_rays();
+    rays.origin = wide3(origins[i].xyz);
+    rays.direction = wide3(directions[i].xyz);
+    const TriangleRays shared = rays_for(&rays);
+    Lanes t, b, c;
+    t.wide = wide_ray_triangle(&rays, &shared, &scene, i, &b.wide, &c.wide);
+    hits[i] = (float4)(t.lane[0], b.lane[0], c.lane[0], 0.0f);
+}
 
 // PCG: Jarzynski and Olano, Hash Functions for GPU Rendering (Journal of Computer Graphics
 // Techniques, 2020).
@@ -95,28 +87,21 @@ static WideRays aimed_at_edges(__global const Facet *facets, uint *seed) {
 }
 
 // How many of so many rays get out of a mesh.
-#define LEAK(method)                                                                              \
-    __kernel void leak_##method(__global uint *leaks, __global const uint *counts,                \
-                                __global const Facet *facets, __global const FacetMap *maps) {    \
-        const size_t i = get_global_id(0);                                                        \
-        const Scene scene = scene_of(facets + 4 * i, maps + 4 * i);                               \
-        uint seed = scrambled(i);                                                                 \
-        uint missed = 0;                                                                          \
-        for (uint ray = 0; ray < counts[i]; ray += WIDTH) {                                       \
-            const WideRays rays = aimed_at_edges(scene.facets, &seed);                            \
-            const TriangleRays shared = rays_for(&rays);                                          \
-            Wide nearest = INFINITY;                                                              \
-            for (uint facet = 0; facet < 4; ++facet) {                                            \
-                Wide b, c;                                                                        \
-                nearest = smaller(JOIN(wide_ray_triangle_, method)(&rays, &shared, &scene, facet, \
-                                                                   &b, &c),                       \
-                                  nearest);                                                       \
-            }                                                                                     \
-            missed += abs(sum_of_lanes(nearest == INFINITY));                                     \
-        }                                                                                         \
-        leaks[i] = missed;                                                                        \
+__kernel void leak(__global uint *leaks, __global const uint *counts,
+                   __global const Facet *facets) {
+    const size_t i = get_global_id(0);
+    const Scene scene = scene_of(facets + 4 * i);
+    uint seed = scrambled(i);
+    uint missed = 0;
+    for (uint ray = 0; ray < counts[i]; ray += WIDTH) {
+        const WideRays rays = aimed_at_edges(scene.facets, &seed);
+        const TriangleRays shared = rays_for(&rays);
+        Wide nearest = INFINITY;
+        for (uint facet = 0; facet < 4; ++facet) {
+            Wide b, c;
+            nearest = smaller(wide_ray_triangle(&rays, &shared, &scene, facet, &b, &c), nearest);
+        }
+        missed += abs(sum_of_lanes(nearest == INFINITY));
     }
-
-LEAK(woop)
-LEAK(moeller_trumbore)
-LEAK(baldwin_weber)
+    leaks[i] = missed;
+}

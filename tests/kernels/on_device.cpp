@@ -8,7 +8,8 @@ namespace stagelight {
 DeviceProgram::DeviceProgram(const cl::Device &device, const std::string &file,
                              const SceneNeeds &needs, const Methods &methods, Transfer decode)
     : device_(device), context_(device_), queue_(context_, device_),
-      program_(build_program(context_, kernel_source("tests/kernels/" + file),
+      program_(build_program(context_,
+                             kernel_source("tests/kernels/" + file, {}, files_of(methods, needs)),
                              build_options(device_, needs, methods))),
       decode_(decode) {}
 

@@ -48,14 +48,12 @@ __kernel void smooth_interfaces(__global float4 *results, __global const float4 
     results[i] = (float4)(interface.refracted, interface.reflectance);
 }
 
-#if METHOD_INTERIOR_PAPER
 __kernel void chords(__global float *results, __global const float4 *origins,
                      __global const float4 *directions, __global const float4 *centers) {
     const size_t i = get_global_id(0);
     const Ray ray = {origins[i].xyz, directions[i].xyz};
     results[i] = intersect_ray_inside_sphere(ray, centers[i].xyz);
 }
-#endif
 
 typedef struct SpawnedRay {
     float4 origin;
@@ -93,7 +91,7 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     surface.normal = normals[i].xyz;
     surface.geometric_normal = surface.normal;
     surface.from_behind = media[i].y > 0.0f;
-    surface.offset = 1e-5f * spheres[i].w;
+    surface.ray_offset = 1e-5f * spheres[i].w;
     DielectricMaterial glass;
     glass.absorption = absorptions[i];
     glass.ior = media[i].x;
@@ -106,12 +104,12 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     RayStack stack;
     stack.count = 0;
     RayCounts counts = {0, 0, 0, 0, 0, 0};
-#if METHOD_INTERIOR_PAPER
-    spawn_through_sphere(&stack, &incoming, &surface, &glass, spheres[i].xyz, (float3)(1.0f),
-                         &counts);
-#else
-    spawn_dielectric(&stack, &incoming, &surface, &glass, (float3)(1.0f), &counts);
-#endif
+    if (METHOD_INTERIOR_PAPER) {
+        spawn_through_sphere(&stack, &incoming, &surface, &glass, spheres[i].xyz, (float3)(1.0f),
+                             &counts);
+    } else {
+        spawn_dielectric(&stack, &incoming, &surface, &glass, (float3)(1.0f), &counts);
+    }
     results[i].rays[0] = spawned_ray(&stack, 0);
     results[i].rays[1] = spawned_ray(&stack, 1);
     results[i].counts = (uint4)(counts.reflection, counts.refraction, counts.dropped, 0);

@@ -50,6 +50,6 @@ __kernel void origins_off(__global float4 *results, __global const float4 *origi
     Surface surface;
     surface.position = ray.origin + distances[i] * ray.direction;
     surface.geometric_normal = normals[i].xyz;
-    surface.offset = scaled_offset(ray, distances[i]);
-    results[i] = (float4)(origin_off(&surface, ray.direction), surface.offset);
+    surface.ray_offset = ray_offset(ray, distances[i], 0.0f);
+    results[i] = (float4)(offset_ray_origin(&surface, ray.direction), surface.ray_offset);
 }

@@ -10,7 +10,7 @@ __kernel void reflected(__global float8 *rays, __global const float4 *directions
     surface.position = (float3)(0.0f);
     surface.normal = normals[i].xyz;
     surface.geometric_normal = geometric_normals[i].xyz;
-    surface.offset = 1.0f;
+    surface.ray_offset = 1.0f;
     const Ray ray = reflected_ray(&surface, directions[i].xyz);
     rays[i] = (float8)(ray.origin, 0.0f, ray.direction, 0.0f);
 }
@@ -67,7 +67,7 @@ __kernel void spawned(__global float8 *results, __global const int *depths) {
     surface.position = (float3)(0.75f, 0.0f, 0.0f);
     surface.normal = (float3)(0.0f, 0.0f, 1.0f);
     surface.geometric_normal = surface.normal;
-    surface.offset = 0.0f;
+    surface.ray_offset = 0.0f;
     RayStack stack;
     stack.count = 0;
     RayCounts counts = {0, 0, 0, 0, 0, 0};

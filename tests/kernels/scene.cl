@@ -30,7 +30,7 @@ __kernel void closest(__global Found *results, __global const float4 *origins,
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
         found.position.xyz = surface.position;
-        found.normal = (float4)(surface.normal, surface.offset);
+        found.normal = (float4)(surface.normal, surface.ray_offset);
         found.geometric_normal = (float4)(surface.geometric_normal, surface.from_behind);
         found.material = surface.material;
         if (HAS_TEXTURES) {

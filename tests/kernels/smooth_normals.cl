@@ -6,8 +6,8 @@
 // In 0 to 2 the normal where the second and third corner have these weights; in 4 to 6 how it mirrors.
 __kernel void smooth_normals(__global float8 *results, __global const float4 *weights,
                              __global const float4 *directions, __global const Triangle *triangles,
-                             __global const StoredFacet *facets,
-                             __global const StoredNormal *normals) {
+                             __global const Facet *facets,
+                             __global const float4 *normals) {
     const size_t i = get_global_id(0);
     Scene scene;
     scene.triangles = triangles;

@@ -97,8 +97,7 @@ TEST_P(KernelsStage06Texture, TheFilterBlendsFourTexelsAcrossTheWrapToo) {
 TEST_P(KernelsStage06Texture, AMaterialWithoutATextureIsWhite) {
     const Scene scene = scene_of_pictures([](int, int, int) { return std::array{0, 0, 0}; });
     const std::vector<vec4> place{{0.3, 0.7, scene.materials.size() - 1, 0}};
-    const auto colors =
-        build("texture.cl", with_pictures).run_in<vec4>(scene, "colors", place);
+    const auto colors = build("texture.cl", with_pictures).run_in<vec4>(scene, "colors", place);
     EXPECT_EQ(colors[0], vec4(1));
 }
 

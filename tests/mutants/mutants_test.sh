@@ -31,7 +31,7 @@ mutate() {
 
 # seen FIND REPLACE: a list of one mistake in Schlick's formula.
 seen() {
-    printf '[[mutants]]\nname = "mine"\nstage = "04"\nfile = "kernels/fresnel.cl"\nregion = "schlick"\n'
+    printf '[[mutants]]\nname = "mine"\nstage = "04"\nfile = "kernels/fresnel/schlick.cl"\nregion = "schlick"\n'
     printf "find = '%s'\nreplace = '%s'\nmistake = \"\"\n" "$@"
 }
 
@@ -47,9 +47,9 @@ mutate 1 "stagelight: mutate: mine: the kernel does not build: " broken.toml
 
 rm calls
 seen 'slope ' 'slop ' >often.toml
-mutate 1 "stagelight: mutate: mine: kernels/fresnel.cl, region schlick: expected once, found 2 times: slope " often.toml
-seen 'float fresnel_exact' '' >moved.toml
-mutate 1 "mine: kernels/fresnel.cl, region schlick: expected once, found 0 times" moved.toml
+mutate 1 "stagelight: mutate: mine: kernels/fresnel/schlick.cl, region schlick: expected once, found 2 times: slope " often.toml
+seen 'float unit' '' >moved.toml
+mutate 1 "mine: kernels/fresnel/schlick.cl, region schlick: expected once, found 0 times" moved.toml
 sed 's/"schlick"/"snell"/' same.toml >nowhere.toml
 mutate 1 "region snell: there is no such region" nowhere.toml
 mutate 2 "no mistake 'typo'; there are: camera_corner_of_pixel, " "$list" typo

@@ -21,7 +21,7 @@ WINDOWS = {"07": ("display/rungs",)}  # of a stage whose lesson is in a window
 NOT_RUN = ("*DeviceMatchesReference*:*IsTheReferences*:Width.*:*pocl_4_2:*pocl_1_4:*Double.*:"
            "*Bvh.*:*Tree.*:*Limits.*:*Threads.*:*Endurance*:*EveryStage*")
 TIMEOUT = 300  # seconds; for a mistake that does not end
-KERNEL_FILES = ("kernels/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
+KERNEL_FILES = ("kernels/**/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
 DOES_NOT_BUILD = "the kernel does not build"
 
 

@@ -7,10 +7,11 @@ import re
 import shutil
 import sys
 
-KERNEL_FILES = ("kernels/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
+KERNEL_FILES = ("kernels/**/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
 # Where a "/" divides numbers of the scene. Elsewhere it divides constants or counts.
-DIVIDE = ("beam", "dielectric", "fresnel", "light", "plane", "sphere", "texture_coordinates", "triangle", "wide",
-          "wide_hit", "wide_light", "wide_sphere", "wide_triangle")
+DIVIDE = ("beam", "dielectric", "fresnel/exact", "fresnel/schlick", "light", "plane", "sphere", "texture_coordinates",
+          "triangle", "wide_hit", "wide_light", "wide_triangle", "packets/normalise/exact", "packets/sphere/haines",
+          "packets/triangle/woop")
 # One unit in the last place of 1, so at most two of any number.
 OFF = "(1.0f + 1.1920929e-7f)"
 FUNCTIONS = ("sqrt", "rsqrt", "exp", "length", "normalize", "asin", "atan2")
@@ -49,7 +50,7 @@ def main(root, copy, what):
                 fail(f"{file.name}: no division")
             file.write_text(new, encoding="utf-8")
         file = kernels / "real.cl"
-        for other in set(kernels.glob("*.cl")) - {file}:
+        for other in set(kernels.rglob("*.cl")) - {file}:
             text = re.sub(rf"\b({'|'.join(FUNCTIONS)})\(", r"\1_off(", other.read_text(encoding="utf-8"))
             other.write_text(text, encoding="utf-8")
         # Not under the functions' own names, which some drivers define as macros.
@@ -57,12 +58,10 @@ def main(root, copy, what):
         file.write_text(replaced(file.read_text(encoding="utf-8"), "// #endregion real\n",
                                  macros + "// #endregion real\n", file.name), encoding="utf-8")
     elif what == "filter":
-        file = kernels / "texture.cl"
-        text = replaced(file.read_text(encoding="utf-8"), "#define METHOD_FILTERING sampler",
-                        "#define METHOD_FILTERING hand", file.name)
-        text = replaced(text, "const float2 share = texel - 0.5f - low;",
+        file = kernels / "filtering" / "hand.cl"
+        text = replaced(file.read_text(encoding="utf-8"), "const float2 share = texel - 0.5f - low;",
                         "const float2 share = rint((texel - 0.5f - low) * 256.0f) / 256.0f;", file.name)
-        file.write_text(text, encoding="utf-8")
+        (kernels / "filtering" / "sampler.cl").write_text(text, encoding="utf-8")
     else:
         fail(f"'{what}': expected least or filter")
 

@@ -30,11 +30,11 @@ const Names values{"camera",      "background",  "sphere_count",
 
 // Beside each buffer, the argument that says how many are in it.
 Names with_counts(Names names) {
-    for (const auto &[buffer, count] : std::map<std::string, std::string>{
-             {"spheres", "sphere_count"},
-             {"planes", "plane_count"},
-             {"lights", "light_count"},
-             {"triangles", "triangle_count"}}) {
+    for (const auto &[buffer, count] :
+         std::map<std::string, std::string>{{"spheres", "sphere_count"},
+                                            {"planes", "plane_count"},
+                                            {"lights", "light_count"},
+                                            {"triangles", "triangle_count"}}) {
         if (names.contains(buffer)) {
             names.insert(count);
         }

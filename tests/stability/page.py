@@ -34,8 +34,6 @@ GALLERY = [
      "Nothing but total internal reflection is left."),
     ("Glass that absorbs nothing", "04_interior.toml", ["--method", "transmission=none"],
      "The colour of glass comes from the way through it."),
-    ("Numbers of 16 bits", "failures/far_mesh.toml", ["--method", "storage=half"],
-     "At 500 units a half has a step of a quarter."),
     ("Mirrors cut short", "03_mirrors.toml", ["--depth", "2"], "What needs a third bounce is black."),
     ("Texels by the wrong curve", "08_decode.toml", ["--method", "decode=2.2"], "Wrong in the dark."),
 ]
@@ -47,7 +45,7 @@ def read_sweeps(folder):
         sweep = json.loads(file.read_text(encoding="utf-8"))
         sweeps.setdefault(sweep["name"], {})[sweep["device"]] = sweep
     order = ["sphere", "triangle", "box", "origin", "fresnel", "refraction", "interior", "transmission", "sphere_map",
-             "filtering", "decode", "encode", "light", "depth", "storage", "normalise", "math"]
+             "filtering", "decode", "encode", "light", "depth", "normals", "normalise", "math"]
     kind = lambda name: next(iter(sweeps[name].values()))["kind"]  # noqa: E731
     return {name: sweeps[name] for name in sorted(sweeps, key=lambda n: (
         order.index(kind(n)) if kind(n) in order else len(order), n))}

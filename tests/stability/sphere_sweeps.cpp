@@ -17,9 +17,6 @@ using Exact = glm::vec<3, long double>;
 
 const char *const methods[] = {"haines", "geometric", "textbook"};
 
-using StabilityStage09Sphere = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Sphere, each_device(), device_name);
-
 struct Cases {
     std::vector<double> x;
     std::vector<vec4> origins, directions, spheres;
@@ -58,22 +55,6 @@ double error_of(double distance, long double truth, auto error) {
     return hits && should_hit ? double(error()) : hits == should_hit ? 0 : 1;
 }
 
-// Every method's worst error_of at each x, by error(distance, truth, sphere).
-template <typename Error>
-void measure(Sweep &sweep, DeviceProgram program, const Cases &cases, Error error) {
-    for (const char *method : methods) {
-        const auto distances =
-            program.run<float>(method, cases.origins, cases.directions, cases.spheres);
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            const long double truth =
-                true_distance(cases.origins[i], cases.directions[i], cases.spheres[i]);
-            sweep.add(method, cases.x[i], error_of(distances[i], truth, [&] {
-                          return error(distances[i], truth, cases.spheres[i]);
-                      }));
-        }
-    }
-}
-
 long double to_distance(float distance, long double truth, const vec4 & /*sphere*/) {
     return std::abs(distance - truth) / truth;
 }
@@ -82,26 +63,48 @@ long double to_radius(float distance, long double truth, const vec4 &sphere) {
     return std::abs(distance - truth) / sphere.w;
 }
 
-// That which is poor in float. Built for double, the kernels take and give it; directions are of
-// unit length in double then.
-void add_in_double(Sweep &sweep, DeviceProgram program, const Cases &cases) {
-    using glm::dvec4;
-    const std::vector<dvec4> origins(cases.origins.begin(), cases.origins.end());
-    const std::vector<dvec4> spheres(cases.spheres.begin(), cases.spheres.end());
-    std::vector<dvec4> directions;
-    for (const vec4 &direction : cases.directions) {
-        directions.push_back(glm::normalize(dvec4(direction)));
+class StabilityStage09Sphere : public OnDevice {
+protected:
+    // Every method's worst error_of at each x, by error(distance, truth, sphere).
+    template <typename Error> static void measure(Sweep &sweep, const Cases &cases, Error error) {
+        for (const char *method : methods) {
+            const auto distances =
+                build("wide_sphere.cl", {}, {{"sphere", method}})
+                    .run<float>("distances", cases.origins, cases.directions, cases.spheres);
+            for (std::size_t i = 0; i < distances.size(); ++i) {
+                const long double truth =
+                    true_distance(cases.origins[i], cases.directions[i], cases.spheres[i]);
+                sweep.add(method, cases.x[i], error_of(distances[i], truth, [&] {
+                              return error(distances[i], truth, cases.spheres[i]);
+                          }));
+            }
+        }
     }
-    const auto distances = program.run<double>("textbook", origins, directions, spheres);
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-        const long double truth =
-            true_distance(cases.origins[i], cases.directions[i], cases.spheres[i])
-            * glm::length(Exact(cases.directions[i]));
-        sweep.add("textbook, fp64", cases.x[i], error_of(distances[i], truth, [&] {
-                      return std::abs(distances[i] - truth) / truth;
-                  }));
+
+    // That which is poor in float. Built for double, the kernels take and give it; directions are
+    // of unit length in double then.
+    static void add_in_double(Sweep &sweep, const Cases &cases) {
+        using glm::dvec4;
+        const std::vector<dvec4> origins(cases.origins.begin(), cases.origins.end());
+        const std::vector<dvec4> spheres(cases.spheres.begin(), cases.spheres.end());
+        std::vector<dvec4> directions;
+        for (const vec4 &direction : cases.directions) {
+            directions.push_back(glm::normalize(dvec4(direction)));
+        }
+        const auto distances =
+            build("wide_sphere.cl", {}, {{"sphere", "textbook"}, {"math", "fp64"}})
+                .run<double>("distances", origins, directions, spheres);
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            const long double truth =
+                true_distance(cases.origins[i], cases.directions[i], cases.spheres[i])
+                * glm::length(Exact(cases.directions[i]));
+            sweep.add("textbook, fp64", cases.x[i], error_of(distances[i], truth, [&] {
+                          return std::abs(distances[i] - truth) / truth;
+                      }));
+        }
     }
-}
+};
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Sphere, each_device(), device_name);
 
 TEST_P(StabilityStage09Sphere, FarAway) {
     Dice dice;
@@ -123,9 +126,9 @@ TEST_P(StabilityStage09Sphere, FarAway) {
                  .limit = 1e-5,
                  .stated = "to 10 million radii away; to 1 million without a fused multiply-add"},
                 GetParam());
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    measure(sweep, cases, to_distance);
     if (has_extension(device(), "cl_khr_fp64")) {
-        add_in_double(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}, {{"math", "fp64"}}), cases);
+        add_in_double(sweep, cases);
         sweep.expect_holds("textbook, fp64", 1e7);
     }
     sweep.expect_holds("haines", on_rusticl() ? 1e6 : 1e7);  // it has no fused multiply-add
@@ -159,7 +162,7 @@ TEST_P(StabilityStage09Sphere, Small) {
                  .stated = "to a radius of 1e-6"},
                 GetParam());
     const Cases cases = of_size(1e-6);
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    measure(sweep, cases, to_distance);
     sweep.expect_holds("haines", cases.x.back());
 }
 
@@ -173,7 +176,7 @@ TEST_P(StabilityStage09Sphere, Large) {
                  .stated = "to a radius of 1e7"},
                 GetParam());
     const Cases cases = of_size(1e7);
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    measure(sweep, cases, to_distance);
     sweep.expect_holds("haines", cases.x.back());
 }
 
@@ -200,7 +203,7 @@ TEST_P(StabilityStage09Sphere, Ground) {
                  .limit = 1e-3,
                  .stated = "to a radius of 1e4 heights"},
                 GetParam());
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_distance);
+    measure(sweep, cases, to_distance);
     sweep.expect_holds("haines", 1e4);
     sweep.expect_fails("haines", 1e5);
 }
@@ -227,7 +230,7 @@ TEST_P(StabilityStage09Sphere, Tangent) {
                  .limit = 0.5,
                  .stated = "to three millionths of the radius"},
                 GetParam());
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, [](auto...) { return 0; });
+    measure(sweep, cases, [](auto...) { return 0; });
     sweep.expect_holds("haines", std::pow(10, 5.5));
     sweep.expect_fails("haines", 1e7);  // the distance to it has no such digits
     sweep.expect_fails("textbook", 1e4);
@@ -256,7 +259,7 @@ TEST_P(StabilityStage09Sphere, FromTheSurface) {
                  .limit = 1e-5,
                  .stated = "to a millionth of the radius"},
                 GetParam());
-    measure(sweep, build("wide_sphere.cl", {{"WIDTH", 1}}), cases, to_radius);
+    measure(sweep, cases, to_radius);
     sweep.expect_holds("haines", 1e6);
     sweep.expect_fails("haines", 1e8);  // a float is 6e-8 from the next: on which side is it?
 }

@@ -16,9 +16,6 @@ namespace {
 using glm::dvec3, glm::vec3, glm::vec4;
 using reference::Dice;
 
-using StabilityStage09Triangle = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Triangle, each_device(), device_name);
-
 // A triangle with corners on the unit circle, of any orientation, none of its angles small.
 Corners some_triangle(Dice &dice) {
     const dvec3 normal = dice.direction();
@@ -36,7 +33,6 @@ struct Cases {
     std::vector<double> x;
     std::vector<vec4> origins, directions;
     std::vector<device::Facet> facets;
-    std::vector<device::FacetMap> maps;
 
     // A ray from `distance` away to somewhere well inside, at 60 degrees or less to the normal.
     void add(double at, const Corners &corners, double distance, Dice &dice) {
@@ -55,7 +51,6 @@ struct Cases {
         origins.emplace_back(vec3(origin), 0);
         directions.emplace_back(vec3(glm::normalize(target - origin)), 0);
         facets.push_back(facet_of(corners));
-        maps.push_back(map_of(facets.back()));
     }
 };
 
@@ -96,10 +91,8 @@ std::optional<double> error_of(const Cases &cases, std::size_t i, const vec4 &hi
                   / distance);
 }
 
-void measure(Sweep &sweep, const std::string &series, const char *method, DeviceProgram &program,
-             const Cases &cases) {
-    const auto hits = program.run<vec4>((std::string("hit_") + method).c_str(), cases.origins,
-                                        cases.directions, cases.facets, cases.maps);
+void measure(Sweep &sweep, const std::string &series, DeviceProgram program, const Cases &cases) {
+    const auto hits = program.run<vec4>("hit", cases.origins, cases.directions, cases.facets);
     std::size_t counted = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (const auto error = error_of(cases, i, hits[i])) {
@@ -110,12 +103,17 @@ void measure(Sweep &sweep, const std::string &series, const char *method, Device
     EXPECT_GT(counted, 9 * hits.size() / 10);
 }
 
-void measure_all(Sweep &sweep, DeviceProgram program, DeviceProgram wide, const Cases &cases) {
-    for (const char *method : {"woop", "moeller_trumbore", "threshold", "baldwin_weber"}) {
-        measure(sweep, method, method, program, cases);
+class StabilityStage09Triangle : public OnDevice {
+protected:
+    static void measure_all(Sweep &sweep, const Cases &cases) {
+        for (const char *method : {"woop", "moeller_trumbore", "threshold"}) {
+            measure(sweep, method, build("facets.cl", with_facets(1), {{"triangle", method}}),
+                    cases);
+        }
+        measure(sweep, "woop, each its axis", build("facets.cl", with_facets(4)), cases);
     }
-    measure(sweep, "woop, each its axis", "woop", wide, cases);
-}
+};
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Triangle, each_device(), device_name);
 
 Question about(const char *name, const char *title, const char *x_label, const char *stated) {
     return {.name = name,
@@ -144,8 +142,7 @@ Cases of_size(double to) {
 TEST_P(StabilityStage09Triangle, Small) {
     Sweep sweep(about("triangle_small", "Small triangles", "1 / radius", "to a radius of 1e-6"),
                 GetParam());
-    measure_all(sweep, build("facets.cl", with_maps(1)), build("facets.cl", with_maps(4)),
-                of_size(1e-6));
+    measure_all(sweep, of_size(1e-6));
     sweep.expect_holds("woop", 1e6);
     sweep.expect_holds("woop, each its axis", 1e6);
     sweep.expect_fails("threshold", 1e3);
@@ -154,8 +151,7 @@ TEST_P(StabilityStage09Triangle, Small) {
 TEST_P(StabilityStage09Triangle, Large) {
     Sweep sweep(about("triangle_large", "Large triangles", "radius", "to a radius of 1e6"),
                 GetParam());
-    measure_all(sweep, build("facets.cl", with_maps(1)), build("facets.cl", with_maps(4)),
-                of_size(1e6));
+    measure_all(sweep, of_size(1e6));
     sweep.expect_holds("woop", 1e6);
     sweep.expect_holds("woop, each its axis", 1e6);
 }
@@ -174,11 +170,10 @@ TEST_P(StabilityStage09Triangle, Slivers) {
     }
     Sweep sweep(about("triangle_slivers", "Slivers", "length / width", "to a length of 100 widths"),
                 GetParam());
-    measure_all(sweep, build("facets.cl", with_maps(1)), build("facets.cl", with_maps(4)), cases);
+    measure_all(sweep, cases);
     sweep.expect_holds("woop", 100);
     sweep.expect_holds("woop, each its axis", 100);
     sweep.expect_fails("moeller_trumbore", 100);
-    sweep.expect_fails("baldwin_weber", 100);
     sweep.expect_fails("woop", 1e4);
 }
 
@@ -194,10 +189,9 @@ TEST_P(StabilityStage09Triangle, FarFromTheOrigin) {
     Sweep sweep(about("triangle_offset", "Triangles far from the origin", "coordinates / radius",
                       "to coordinates of 1e6 radii"),
                 GetParam());
-    measure_all(sweep, build("facets.cl", with_maps(1)), build("facets.cl", with_maps(4)), cases);
+    measure_all(sweep, cases);
     sweep.expect_holds("woop", 1e6);
     sweep.expect_holds("woop, each its axis", 1e6);
-    sweep.expect_fails("baldwin_weber", 1e3);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ static float3 direct_light(const Scene *scene, const Surface *surface, const flo
         const Illumination illumination = light_at(light, surface->position);
         if (dot(surface->normal, illumination.direction) > 0.0f) {
             ++counts->shadow;
-            if (!in_shadow(scene, light, origin_off(surface, illumination.direction))) {
+            if (!in_shadow(scene, light, offset_ray_origin(surface, illumination.direction))) {
                 sum += rough(surface->normal, illumination.direction, to_eye)
                        * illumination.irradiance;
             }

@@ -41,7 +41,7 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
         const Illumination illumination = light_at(light, surface->position);
         const float cosine = dot(surface->normal, illumination.direction);
         if (cosine > 0.0f) {
-            const float3 origin = origin_off(surface, illumination.direction);
+            const float3 origin = offset_ray_origin(surface, illumination.direction);
             const float share = lit_share(scene, light, origin, illumination.direction, counts);
             sum += share * cosine * illumination.irradiance;
         }

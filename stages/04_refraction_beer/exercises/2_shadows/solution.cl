@@ -43,7 +43,7 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
         const float cosine = dot(surface->normal, illumination.direction);
         if (cosine > 0.0f) {
             ++counts->shadow;
-            const Ray ray = {origin_off(surface, illumination.direction), illumination.direction};
+            const Ray ray = {offset_ray_origin(surface, illumination.direction), illumination.direction};
             const float end = is_point(light) ? distance(ray.origin, XYZ(light.as.point.position)) : INFINITY;
             sum += cosine * illumination.irradiance * light_through(scene, ray, end);
         }

@@ -31,7 +31,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->geometric_normal = surface->normal;
     surface->position = center + radius * from_center;
     surface->material = sphere.material;
-    surface->offset =
+    surface->ray_offset =
         error_along(surface->normal, surface->position, (float3)(GAMMA(15.0f) * radius));
 }
 // #endregion sphere_surface

@@ -22,7 +22,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
-    surface->offset = error_along(surface->normal, surface->position,
+    surface->ray_offset = error_along(surface->normal, surface->position,
                                   (float3)(GAMMA(15.0f) * sphere.radius));
 }
 // #endregion sphere_surface

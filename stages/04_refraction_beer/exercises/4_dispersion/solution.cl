@@ -35,7 +35,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
         PendingRay refracted;
         refracted.weight = only * weight * (1.0f - reflectance);
         if (dot(refracted.weight, only) > 0.0f) {  // neither another channel's ray nor totally reflected
-            refracted.ray.origin = origin_off(surface, -surface->geometric_normal);
+            refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
             refracted.ray.direction = interfaces[channel].refracted;
             refracted.depth = incoming->depth + 1;
             refracted.absorption = surface->from_behind ? (float3)(0.0f) : XYZ(glass->absorption);

@@ -25,7 +25,7 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
     spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
         PendingRay refracted;
-        refracted.ray.origin = origin_off(surface, -surface->geometric_normal);
+        refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;

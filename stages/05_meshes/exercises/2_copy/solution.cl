@@ -83,7 +83,7 @@ static Ray to_original(const Ray ray) {
             if (is_copy) {
                 // The way there, and back for the next ray, is rounded too.
                 const float3 ways = fabs(surface.position) + fabs(COPY_POSITION);
-                surface.offset += GAMMA(16.0f) * (ways.x + ways.y + ways.z);
+                surface.ray_offset += GAMMA(16.0f) * (ways.x + ways.y + ways.z);
                 surface.position = to_copy(surface.position);
                 surface.normal = turned(surface.normal, COPY_SINE);
                 surface.geometric_normal = turned(surface.geometric_normal, COPY_SINE);

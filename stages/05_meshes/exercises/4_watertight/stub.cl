@@ -18,7 +18,7 @@ static Edges triangle_edges(const Scene *scene, const int index) {
 // #endregion triangle_edges
 
 // #region ray_triangle
-static float moller_trumbore(const float3 origin, const float3 along, const Edges triangle,
+static float moeller_trumbore(const float3 origin, const float3 along, const Edges triangle,
                              float2 *barycentric) {
     const float3 p = cross(along, triangle.c);
     const float determinant = dot(triangle.b, p);
@@ -39,14 +39,14 @@ static float moller_trumbore(const float3 origin, const float3 along, const Edge
 }
 
 static float intersect_ray_triangle(const Ray ray, const Edges triangle, float2 *barycentric) {
-    return moller_trumbore(ray.origin, ray.direction, triangle, barycentric);  // your turn
+    return moeller_trumbore(ray.origin, ray.direction, triangle, barycentric);  // your turn
 }
 // #endregion ray_triangle
 
 // #region line_triangle
 static bool intersect_line_triangle(const Line line, const Edges triangle) {
     float2 barycentric;
-    return moller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric)
+    return moeller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric)
            < 1.0f;  // your turn
 }
 // #endregion line_triangle

@@ -3,6 +3,14 @@
 
 // kernels/texture.cl
 // #region texture_color
+__constant sampler_t nearest_sampler =
+    CLK_NORMALIZED_COORDS_FALSE | CLK_ADDRESS_CLAMP_TO_EDGE | CLK_FILTER_NEAREST;
+
+static float3 nearest_texel(const float2 place, const float layer, TEXTURES textures) {
+    return XYZ(
+        read_imagef(textures, nearest_sampler, convert_float4((float4)(place, layer, 0.0f))));
+}
+
 // Of four texels in a row, for a place that is t beyond the second (Catmull and Rom, A Class of Local
 // Interpolating Splines, 1974): a cubic through both in the middle, whose slopes are those of the chords
 // around.
