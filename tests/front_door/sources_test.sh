@@ -63,7 +63,7 @@ test_stage_differences_see() {
     python3 "$copy/stages/difference.py" || fail "what nothing calls counts"
     sed -i 's/return filtered(texel/return longer(wrapped.xyy) + filtered(texel/' "$copy/kernels/texture.cl"
     differ "a long step"
-    expect_text "a long step" "06_textures               125 lines more, of 80" "$output"
+    expect_text "a long step" "06_textures               131 lines more, of 80" "$output"
     cp "$source_dir"/kernels/texture*.cl "$copy/kernels"
     printf '[06_textures]\nlines = 90\n' >>"$copy/stages/budget.toml"
     differ "a line too many"
@@ -71,6 +71,39 @@ test_stage_differences_see() {
     sed -i 's/06_textures/06_pictures/' "$copy/stages/budget.toml"
     differ "an unknown stage"
     expect_text "an unknown stage" "06_pictures: stages/budget.toml knows it" "$output"
+}
+
+# A mark that is wrong, one that is missing, and a head that tells another story.
+test_signposts_see() {
+    local copy=$scratch/copy output
+    mkdir "$copy"
+    cp -r "$source_dir/stages" "$source_dir/kernels" "$copy"
+    see() {
+        if output=$(python3 "$copy/stages/difference.py"); then fail "not seen: $1" "$output"; fi
+        expect_text "$1" "$1" "$output"
+        cp -r "$source_dir/stages" "$source_dir/kernels" "$copy"
+    }
+    sed -i 's|^#include "closest_hit.cl"$|#include "closest_hit.cl"  // extended: a mirror|' "$copy"/stages/02*/kernel.cl
+    see "02_shading_shadows/kernel.cl: closest_hit.cl is as before, and it says extended"
+    sed -i '/#include "shadow.cl"/d' "$copy"/stages/02*/kernel.cl
+    see "02_shading_shadows/kernel.cl: shadow.cl is new, and it says nothing"
+    sed -i 's/extended by 05 (triangles)/extended by 06 (triangles)/' "$copy/kernels/closest_hit.cl"
+    see "kernels/closest_hit.cl: its head says 01, 06; expected Introduced by stage 01, 05"
+}
+
+test_show() {
+    local output code=0
+    output=$(python3 "$source_dir/stages/show.py" 04 refract) || fail "show 04 refract ended with $?" "$output"
+    expect_text "a function that is new" "+ static bool refract(" "$output"
+    output=$(python3 "$source_dir/stages/show.py" 03 light_at) || fail "show 03 light_at ended with $?" "$output"
+    expect_text "a function that is as before" $'\n'"  static Illumination light_at(" "$output"
+    for arguments in "" "12" "four" "04 refrakt" "04 refract 05"; do
+        # shellcheck disable=SC2086 # no argument at all is one of the cases
+        output=$(python3 "$source_dir/stages/show.py" $arguments 2>&1) || code=$?
+        expect_equal "exit code of show $arguments" 2 $code
+        expect_equal "lines of show $arguments" 1 "$(wc -l <<<"$output")"
+    done
+    expect_text "an unknown function" "there are: " "$(python3 "$source_dir/stages/show.py" 04 refrakt 2>&1 || true)"
 }
 
 # In pictures too: their headers may name the folder where they were made.
