@@ -20,12 +20,12 @@ typedef struct RayStack {
     int count;
     PendingRay rays[STACK_SIZE];
 } RayStack;
-
-// Where the n-th ray is kept. A compiler that knows which place that is keeps it in registers.
-static int place_of(const int n) {
-    return STACK_SIZE > 1 ? n : 0;
-}
 // #endregion stack
+
+// Where the n-th ray is kept. If there is one place only, the compiler keeps it in registers.
+static int place_of(const RayStack *stack, const int n) {
+    return sizeof(stack->rays) > sizeof(stack->rays[0]) ? n : 0;
+}
 
 static PendingRay primary_ray(const Ray ray) {
     PendingRay primary;
@@ -72,12 +72,12 @@ static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCou
         ++counts->dropped;
     } else {
         ++*traced;
-        copy_pending(&stack->rays[place_of(stack->count++)], &ray);
+        copy_pending(&stack->rays[place_of(stack, stack->count++)], &ray);
     }
 }
 // #endregion push_ray
 
 static PendingRay pop_ray(RayStack *stack) {
-    return stack->rays[place_of(--stack->count)];
+    return stack->rays[place_of(stack, --stack->count)];
 }
 // #endregion ray_stack

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Stage 02: diffuse shading under point and directional lights, with hard shadows.
+#include "camera.cl"
+#include "closest_hit.cl"
+#include "picture.cl"
 #include "any_hit.cl"             // new: whether anything is in the way
 #include "diffuse.cl"             // new: the sum over the lights
 #include "light.cl"               // new: how much light arrives
@@ -13,9 +16,6 @@
 #include "scene_types.h"          // extended: materials and lights
 #include "sphere.cl"              // extended: lines
 #include "surface.cl"             // extended: what it is made of, and where its rays start
-#include "camera.cl"
-#include "closest_hit.cl"
-#include "picture.cl"
 
 // #region render
 __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera camera,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 04: glass. A hit now spawns two rays, one reflected and one refracted, and on its way
 // through glass a ray loses light by Beer's law.
+#include "render.cl"
 #include "dielectric.cl"        // new: Snell, total internal reflection
 #include "fresnel/schlick.cl"   // new: how much is reflected
 #include "transmission/exp.cl"  // new: Beer's law
 #include "ray_stack.cl"         // extended: a ray knows the medium that it runs in
 #include "shade.cl"             // extended: the dielectric is one more material
-#include "render.cl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Stage 07: a picture that OpenGL shows. The kernel is that of 06; what it writes to may now be
 // an image, and that image may be the texture on the screen.
-#include "picture.cl"  // extended: a pixel goes to a buffer, or to an image
 #include "render.cl"
+#include "picture.cl"  // extended: a pixel goes to a buffer, or to an image

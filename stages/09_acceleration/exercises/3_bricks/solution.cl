@@ -33,7 +33,7 @@ static void try_leaf(const Scene *scene, WideRays *rays, const TriangleRays *sha
     float3 high = -INFINITY;
     for (uint i = first; i < first + count; ++i) {
         for (int corner = 0; corner < 3; ++corner) {
-            const float3 point = LOAD_COORDINATES(scene->facets[i].corners[corner]);
+            const float3 point = XYZ(vload3(0, scene->facets[i].corners[corner]));
             low = min(low, point);
             high = max(high, point);
         }
