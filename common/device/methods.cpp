@@ -2,6 +2,7 @@
 #include "device/methods.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
@@ -117,8 +118,12 @@ std::vector<Method> methods_of(int stage) {
 
 std::string choice(const Methods &methods, const std::string &kind) {
     const auto chosen = methods.find(kind);
-    return chosen != methods.end() ? chosen->second
-                                   : std::ranges::find(all_methods(), kind, &Method::kind)->name;
+    if (chosen != methods.end()) {
+        return chosen->second;
+    }
+    const auto first = std::ranges::find(all_methods(), kind, &Method::kind);
+    assert(first != all_methods().end());
+    return first->name;
 }
 
 Methods files_of(Methods methods, const SceneNeeds &needs) {
