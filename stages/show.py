@@ -8,7 +8,8 @@ import itertools
 import re
 import sys
 
-from difference import code_of, lesson, names_of, number_of, pieces_of, stages
+sys.dont_write_bytecode = True  # a folder in stages/ is a stage
+from difference import code_of, lesson, names_of, number_of, pieces_of, stages  # noqa: E402
 
 
 def marked(old, new):
