@@ -106,7 +106,7 @@ def closing(text, start):
 def term_value(term, names):
     """Of what stands between two &&: whether it holds, or None where the kernel must ask."""
     term = term.strip()
-    if count := re.fullmatch(r"\w+ < (?:2 \* )?scene->(\w+)", term):
+    if count := re.fullmatch(r"\w+ < scene->(\w+)", term):
         return None if names.get(COUNTS.get(count[1], "")) else False
     if not re.fullmatch(r"!?(HAS_|METHOD_|FADED_)\w+( > 0)?", term):
         return None

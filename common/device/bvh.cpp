@@ -245,7 +245,7 @@ private:
     std::uint32_t emit(const std::vector<Part> &children, int waiting) {
         bvh_.stack_size = std::max(bvh_.stack_size, waiting);
         const std::size_t node = bvh_.nodes.size();
-        const std::size_t words = 6 * width() + 2 * width();
+        const std::size_t words = 8 * width();  // six planes, first and count
         bvh_.nodes.resize(node + words);
         const auto is_inner = [](const Part &child) { return child.branch != 0; };
         const auto inner = static_cast<int>(std::ranges::count_if(children, is_inner));

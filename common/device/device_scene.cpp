@@ -2,7 +2,6 @@
 #include "device/device_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -10,7 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "device/device_types.h"
 #include "scene/errors.h"
@@ -34,28 +33,15 @@ Bytes pack(const Elements &elements, Convert convert) {
     return bytes;
 }
 
-using Corners = std::array<glm::vec3, 3>;
-
-Corners corners_of(const Scene &scene, std::uint32_t index) {
-    const auto &vertices = scene.triangles[index].vertices;
-    const auto corner = [&](std::size_t i) {
-        return glm::vec3(scene.vertices[vertices[i]].position);
-    };
-    return {corner(0), corner(1), corner(2)};
-}
-
-device::Facet facet_of(const Corners &corners) {
+device::Facet facet_of(const Scene &scene, std::uint32_t index) {
     device::Facet facet = {};
     for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 corner(scene.vertices[scene.triangles[index].vertices[i]].position);
         for (int axis = 0; axis < 3; ++axis) {
-            facet.corners[i][axis] = corners[i][axis];
+            facet.corners[i][axis] = corner[axis];
         }
     }
     return facet;
-}
-
-Bytes facets(const Scene &scene, const Bvh &bvh) {
-    return pack(bvh.order, [&](std::uint32_t index) { return facet_of(corners_of(scene, index)); });
 }
 
 // What the host puts behind each name in kernels/scene.cl.
@@ -78,7 +64,7 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
                     [&scene](std::uint32_t index) { return to_device(scene.triangles[index]); });
     }
     if (name == "facets") {
-        return facets(scene, bvh);
+        return pack(bvh.order, [&](std::uint32_t index) { return facet_of(scene, index); });
     }
     if (name == "bvh_nodes") {
         return pack(bvh.nodes, [](std::uint32_t word) { return word; });
