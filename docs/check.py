@@ -17,8 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 HEADINGS = ["The question", "The idea", "The mathematics", "The code", "What changed", "The picture", "What it costs",
             "What goes wrong", "Exercises", "Further reading"]
-WORDS = {"09_acceleration": (1200, 3000)}  # of prose in a chapter; else
-USUAL_WORDS = (1200, 2500)
+WORDS = 1200, 2500  # of prose in a chapter
 EXERCISES, EXERCISES_OF_STAGE = 30, 3
 # Other people's names, which no source of ours has.
 FOREIGN = set((DOCS / "foreign_words.txt").read_text().split())
@@ -102,7 +101,7 @@ def check_chapter(page):
     found = re.findall(r"^## (.+)$", text, re.MULTILINE)
     if found != HEADINGS:
         wrong(page, 1, f"expected the headings {', '.join(HEADINGS)}; found {', '.join(found)}")
-    low, high = WORDS.get(page.stem, USUAL_WORDS)
+    low, high = WORDS
     count = sum(len(re.findall(r"[\w'’-]*[A-Za-z][\w'’-]*", re.sub(r"<[^>]*>|\$[^$]*\$|\]\([^)]*\)", " ", line)))
                 for _, line in prose_of(page))
     if not low <= count <= high:

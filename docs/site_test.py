@@ -20,7 +20,7 @@ sys.path.append(str(DOCS.parent / "tests"))
 from browser import addresses_asked, errors, resize, start_browser  # noqa: E402
 
 AXE = (DOCS / "node_modules/axe-core/axe.min.js").read_text()
-LOOKED_AT = ["index.html", "start.html", "chapters/03_reflection_glossy.html", "chapters/09_acceleration.html", "chart.html",
+LOOKED_AT = ["index.html", "start.html", "chapters/03_reflection_glossy.html", "chapters/09_tree.html", "chart.html",
              "stability/index.html"]
 WIDTHS = (1440, 390)
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 10, and the same for all: the mean of a picture's samples, as they come.
+// Introduced by stage 11, and the same for all: the mean of a picture's samples, as they come.
 #include "picture.cl"
 
 // #region accumulate
 // `sum` is that of the `before` samples that came earlier, and takes in this one.
-__kernel void accumulate(PICTURE mean, __global const float4 *sample, __global float4 *sum,
-                         const int before) {
+__kernel void accumulate(PICTURE mean, __global const float4 *sample, __global float4 *sum, const int before) {
     const int2 pixel = (int2)(get_global_id(0), get_global_id(1));
     const int width = (int)get_global_size(0);
     const int place = pixel.y * width + pixel.x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 04; extended by 10 (smooth meshes): glass. What is reflected, what goes through,
+// Introduced by stage 04; extended by 11 (smooth meshes): glass. What is reflected, what goes through,
 // and what is lost inside.
 #include "origin.cl"
 #include "ray_stack.cl"
@@ -10,8 +10,7 @@
 // #region refract
 // Snell's law in vectors; `ratio` is the index of refraction on the side of `normal` over that
 // beyond. False where there is no such direction: total internal reflection.
-static bool refract(const float3 direction, const float3 normal, const float ratio,
-                    float3 *refracted) {
+static bool refract(const float3 direction, const float3 normal, const float ratio, float3 *refracted) {
     const float cosine = -dot(direction, normal);
     const float sine_squared = ratio * ratio * (1.0f - cosine * cosine);
     if (sine_squared > 1.0f) {
@@ -33,9 +32,8 @@ static bool is_turned_away(const Surface *surface, const float3 direction) {
 // And what is refracted by it may come out above the facet: it is folded back beneath, as what is
 // reflected is folded back up, without a step where that begins.
 static float3 folded_below(const Surface *surface, const float3 refracted) {
-    return dot(refracted, surface->geometric_normal) > 0.0f
-               ? reflect(refracted, surface->geometric_normal)
-               : refracted;
+    return dot(refracted, surface->geometric_normal) > 0.0f ? reflect(refracted, surface->geometric_normal)
+                                                            : refracted;
 }
 // #endregion smooth_glass
 
@@ -73,8 +71,7 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
 // #region spawn_dielectric
 // At every wall, inside as outside, one ray is reflected and one goes through.
 static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
-                             const DielectricMaterial *glass, const float3 weight,
-                             RayCounts *counts) {
+                             const DielectricMaterial *glass, const float3 weight, RayCounts *counts) {
     // #region at_wall
     const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
     // #endregion at_wall
@@ -102,9 +99,9 @@ static float intersect_ray_inside_sphere(const Ray ray, const float3 center) {
     return 2.0f * dot(center - ray.origin, ray.direction);
 }
 
-static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming,
-                                 const Surface *surface, const DielectricMaterial *glass,
-                                 const float3 center, const float3 weight, RayCounts *counts) {
+static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming, const Surface *surface,
+                                 const DielectricMaterial *glass, const float3 center, const float3 weight,
+                                 RayCounts *counts) {
     const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
     PendingRay leaving = *incoming;
     leaving.weight = weight;

@@ -9,9 +9,9 @@
 // The sum over the lights that the point sees, of Lambert's cosine times irradiance (the 1/pi of
 // a diffuse surface is taken to be in the lights).
 static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts *counts) {
-// #region without_lights
+    // #region without_lights
     float3 sum = (float3)(0.0f);
-// #endregion without_lights
+    // #endregion without_lights
     for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);

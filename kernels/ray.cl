@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 02 (lines), 05 (triangles), 06 (textures) and 09 (fused
-// products): what is sent through the scene, and what comes back.
+// Introduced by stage 01; extended by 02 (lines), 05 (triangles), 06 (textures), 09 (fused
+// products) and 10 (the smaller and the larger): what is sent through the scene, and what comes back.
 #include "real.cl"
 #include "normalise/exact.cl"
 
@@ -8,6 +8,11 @@
 // a * b + c, rounded once where the device does that in hardware: fma() in software takes many times as
 // long.
 #define FUSED(a, b, c) (HAS_FMA ? fma(a, b, c) : (a) * (b) + (c))
+
+// The second where the first is not a number. Compare and select are an instruction each; fmin and fmax are
+// more.
+#define MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MAX(a, b) ((a) > (b) ? (a) : (b))
 // #endregion fused
 
 // #region ray
@@ -30,7 +35,7 @@ typedef enum Shape { SHAPE_NONE, SHAPE_SPHERE, SHAPE_PLANE, SHAPE_TRIANGLE } Sha
 typedef struct Hit {
     float distance;  // along the ray; INFINITY when nothing was hit
     Shape shape;
-    int index;  // of the sphere, plane or triangle
+    int index;           // of the sphere, plane or triangle
     float2 barycentric;  // the weights of the triangle's second and third vertex
 } Hit;
 
@@ -45,3 +50,16 @@ typedef struct Surface {
     float2 texture_coordinates;
 } Surface;
 // #endregion hit
+
+// #region keep_closer
+// Whether what is at `distance` is nearer than all before it.
+static bool keep_closer(Hit *closest, const float distance, const Shape shape, const int index) {
+    if (!(distance < closest->distance)) {
+        return false;
+    }
+    closest->distance = distance;
+    closest->shape = shape;
+    closest->index = index;
+    return true;
+}
+// #endregion keep_closer

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02; extended by 10 (faded rays): counting rays, to know what a picture costs.
+// Introduced by stage 02; extended by 11 (faded rays): counting rays, to know what a picture costs.
 #include "scene_types.h"
 
 // #region ray_counts
 // Adds one work-item's counts to those of its row, which its neighbours add to as well.
 static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
-// #region shadow_count
+    // #region shadow_count
     if (counts.shadow > 0) {
         atomic_add(&row->shadow, counts.shadow);
     }
-// #endregion shadow_count
+    // #endregion shadow_count
     if (counts.reflection > 0) {
         atomic_add(&row->reflection, counts.reflection);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 04 (absorption) and 10 (faded rays): OpenCL C knows no recursion,
+// Introduced by stage 03; extended by 04 (absorption) and 11 (faded rays): OpenCL C knows no recursion,
 // so the rays that are still to be traced wait on a stack of our own (paper, section 3).
 #include "ray.cl"
 
@@ -7,8 +7,8 @@
 // #region pending_ray
 typedef struct PendingRay {
     Ray ray;
-    float3 weight;  // what its light is multiplied by on the way to the pixel
-    int depth;      // bounces so far
+    float3 weight;      // what its light is multiplied by on the way to the pixel
+    int depth;          // bounces so far
     float3 absorption;  // of the medium that it runs in
 } PendingRay;
 // #endregion pending_ray

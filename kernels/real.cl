@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 06 (textures) and 09 (masks): the numbers that are calculated
+// Introduced by stage 01; extended by 06 (textures), 09 (a tree) and 10 (masks): the numbers that are calculated
 // with. With --method math=fp64, where it says float it is double: the camera and what kernels
 // calculate, but not what lies in memory or comes from an image.
 #include "scene_types.h"
@@ -44,4 +44,5 @@ typedef float4 Single4;
 #define JOIN(a, b) JOIN_NAMES(a, b)
 #define XY(v) JOIN(TO_REAL, 2)(v)
 #define XYZ(v) JOIN(TO_REAL, 3)((v).xyz)
+#define XYZW(v) JOIN(TO_REAL, 4)(v)
 // #endregion real

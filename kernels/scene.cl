@@ -6,13 +6,6 @@
 // nothing: no argument, and where a kernel asks for it, the compiler takes out what is never reached.
 #include "ray.cl"
 
-// Boxes around triangles, side by side, so that all are tried at once.
-typedef struct BvhNode {
-    Single planes[6][BVH_WIDTH];  // low x, y, z, high x, y, z of each child
-    uint first[BVH_WIDTH];  // of a leaf, the first of its triangles; else the child's node
-    uint count[BVH_WIDTH];  // of a leaf, how many triangles it has; else 0
-} BvhNode;
-
 // #region textures
 // An image can't be a member of a struct: it is handed on beside the scene.
 #if HAS_TEXTURES
@@ -35,10 +28,9 @@ typedef struct Scene {
     int light_count;
     __global const Triangle *triangles;
     int triangle_count;
+    __global const Single4 *triangle_corners;  // three a triangle
     __global const Single4 *vertex_normals;
-    __global const Single4 *vertex_positions;
     __global const Single2 *vertex_texture_coordinates;
-    __global const Facet *facets;
     __global const BvhNode *bvh_nodes;
 } Scene;
 // #endregion scene

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01; extended by 02 (materials, lights), 03 (types of material), 05
-// (triangles), 09 (facets) and 10 (faded rays): the structs that the host fills and the kernels
-// read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its size and
-// alignment are the same everywhere. Lengths in scene units, world space, right-handed, y up;
-// colours linear.
+// (triangles), 09 (a tree), 10 (tiles) and 11 (faded rays): the structs that the host fills and
+// the kernels read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its
+// size and alignment are the same everywhere. Lengths in scene units, world space, right-handed, y
+// up; colours linear.
 #ifndef STAGELIGHT_SCENE_TYPES_H
 #define STAGELIGHT_SCENE_TYPES_H
 
@@ -123,19 +123,24 @@ typedef struct Triangle {
     int material;
 } Triangle;
 
-// Where a triangle is, from stage 09 on: its corners.
-typedef struct Facet {
-    float corners[3][3];
-} Facet;
+// #region bvh_node
+// Four boxes around shapes, side by side, so that all are tried at once.
+typedef struct BvhNode {
+    float4 planes[6];  // low x, y, z, high x, y, z of each child
+    int first[4];      // of a leaf, the first of its shapes; else the child's node
+    int count[4];      // of a leaf, how many triangles it has, or minus how many spheres; else 0
+} BvhNode;
+// #endregion bvh_node
 
-// Of a coordinate: how far rounding may move what is measured from it, with room to spare. Boxes
-// are grown by it on the host, and for a ray's own origin on the device (kernels/beam.cl, "slab").
-#define SLAB_ROOM 2.3841858e-7f
+// Of a coordinate: how far rounding may move what is measured from it, and some more. Boxes are
+// padded by it on the host, and on the device for where the ray starts (kernels/tree.cl,
+// enter_boxes).
+#define SLAB_PADDING 2.3841858e-7f
 
 // Of the tile that a packet of `width` rays draws, how many pixels are in a row: as square as can
 // be. And of the block that a work-item draws, how many packets are in a row, and in a column.
-#define TILE_WIDTH_OF(width) ((width) < 4 ? 1 : (width) < 8 ? 2 : 4)
-#define PACKETS_IN_ROW_OF(width) ((width) == 1 ? 1 : 2)
+#define TILE_WIDTH_OF(width) ((width) < 8 ? 2 : 4)
+#define PACKETS_IN_ROW 2
 
 // How many rays of a kind were traced, how many the depth limit dropped, and how many had faded:
 // one a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
@@ -151,21 +156,18 @@ typedef struct RayCounts {
 #define FADED_WEIGHT_ONE 16777216.0f
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64
-              && offsetof(Camera, size) == 72);
+static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64 && offsetof(Camera, size) == 72);
 static_assert(sizeof(DoubleCamera) == 160 && offsetof(DoubleCamera, sample) == 128
               && offsetof(DoubleCamera, size) == 144);
-static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16
-              && offsetof(Material, texture_size) == 48 && offsetof(Material, texture) == 56
-              && offsetof(Material, type) == 60 && offsetof(DielectricMaterial, ior) == 16);
+static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16 && offsetof(Material, texture_size) == 48
+              && offsetof(Material, texture) == 56 && offsetof(Material, type) == 60
+              && offsetof(DielectricMaterial, ior) == 16);
 static_assert(sizeof(Light) == 64 && offsetof(Light, as) == 16 && offsetof(Light, type) == 48
               && offsetof(PointLight, range) == 16);
-static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16
-              && offsetof(Sphere, material) == 20);
-static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16
-              && offsetof(Plane, material) == 20);
+static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16 && offsetof(Sphere, material) == 20);
+static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16 && offsetof(Plane, material) == 20);
+static_assert(sizeof(BvhNode) == 128 && offsetof(BvhNode, first) == 96);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
-static_assert(sizeof(Facet) == 36);
 static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, faded) == 16);
 }  // namespace stagelight::device
 #endif

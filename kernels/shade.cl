@@ -35,9 +35,8 @@ static float reflected_share(const Material *material) {
 // #region shade
 // Whether the surface sends on light that comes straight from the lights, and the weight of that in
 // the pixel; the rays for what else it sends on go onto the stack.
-static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
-                  const Surface *surface, float3 *direct_weight, RayStack *stack,
-                  RayCounts *counts, TEXTURES textures) {
+static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit, const Surface *surface,
+                  float3 *direct_weight, RayStack *stack, RayCounts *counts, TEXTURES textures) {
     const Material material = scene->materials[surface->material];
     // #region surface_color
     float3 weight = incoming->weight * XYZ(material.color);
@@ -70,4 +69,3 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     // #endregion shade_shares
 }
 // #endregion shade
-

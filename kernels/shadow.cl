@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02: whether the light arrives.
-#include "any_hit.cl"
+// Introduced by stage 02: whether the light arrives. The kernel has included any_hit_ray and any_hit_line.
 #include "light.cl"
 
 // #region in_shadow

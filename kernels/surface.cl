@@ -16,8 +16,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;
-    surface->ray_offset = error_along(surface->normal, surface->position,
-                                  (float3)(GAMMA(15.0f) * sphere.radius));
+    surface->ray_offset = error_along(surface->normal, surface->position, (float3)(GAMMA(15.0f) * sphere.radius));
     if (HAS_TEXTURES) {
         surface->texture_coordinates = sphere_texture_coordinates(surface->normal);
     }
@@ -32,8 +31,7 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     surface->normal = normal;
     surface->geometric_normal = normal;
     surface->material = plane.material;
-    surface->ray_offset =
-        error_along(normal, position, (float3)(GAMMA(12.0f)) * fabs(position));
+    surface->ray_offset = error_along(normal, position, (float3)(GAMMA(12.0f)) * fabs(position));
     if (HAS_TEXTURES) {
         surface->texture_coordinates = (float2)(0.0f);  // a plane has none
     }
@@ -61,13 +59,13 @@ static Surface surface_at(const Scene *scene, const Ray ray, const Hit hit) {
     if (HAS_TRIANGLES && hit.shape == SHAPE_TRIANGLE) {
         finish_triangle(&surface);
     }
-// #region sides
+    // #region sides
     surface.from_behind = dot(surface.geometric_normal, ray.direction) > 0.0f;
     if (surface.from_behind) {
         surface.normal = -surface.normal;
         surface.geometric_normal = -surface.geometric_normal;
     }
-// #endregion sides
+    // #endregion sides
     surface.ray_offset = ray_offset(ray, hit.distance, surface.ray_offset);
     return surface;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 03; extended by 06 (textures): Whitted's ray tracing (An Improved Illumination
-// Model for Shaded Display, 1980), as a loop.
-#include "closest_hit.cl"
+// Model for Shaded Display, 1980), as a loop. The kernel has included closest_hit.
 #include "diffuse.cl"
 #include "shade.cl"
 

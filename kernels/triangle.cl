@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 05; extended by 06 (textures) and 09 (a tree): where rays and lines meet a
+// Introduced by stage 05; extended by 06 (textures): where rays and lines meet a
 // triangle, and what is there.
 #include "origin.cl"
 #include "scene.cl"
@@ -13,23 +13,15 @@ typedef struct Edges {
 } Edges;
 // #endregion edges
 
-static float3 facet_corner(const Scene *scene, const int index, const int corner) {
-    return XYZ(vload3(0, scene->facets[index].corners[corner]));
+static float3 triangle_corner(const Scene *scene, const int index, const int corner) {
+    return XYZ(scene->triangle_corners[3 * index + corner]);
 }
 
 static Edges triangle_edges(const Scene *scene, const int index) {
-    if (HAS_TREE) {
-        const float3 corner = facet_corner(scene, index, 0);
-        const Edges edges = {corner, facet_corner(scene, index, 1) - corner,
-                             facet_corner(scene, index, 2) - corner};
-        return edges;
-    } else {
-        const Triangle triangle = scene->triangles[index];
-        const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
-        const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
-                             XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
-        return edges;
-    }
+    const float3 corner = triangle_corner(scene, index, 0);
+    const Edges edges = {corner, triangle_corner(scene, index, 1) - corner,
+                         triangle_corner(scene, index, 2) - corner};
+    return edges;
 }
 // #endregion triangle_edges
 
@@ -39,8 +31,7 @@ static Edges triangle_edges(const Scene *scene, const int index) {
 // and nothing else: any other threshold would make small meshes vanish. Every comparison is false
 // for a NaN.
 // #region moeller_trumbore
-static float moeller_trumbore(const float3 origin, const float3 along, const Edges triangle,
-                             float2 *barycentric) {
+static float moeller_trumbore(const float3 origin, const float3 along, const Edges triangle, float2 *barycentric) {
     const float3 p = cross(along, triangle.c);
     const float determinant = dot(triangle.b, p);
     if (determinant == 0.0f) {
@@ -72,8 +63,7 @@ static float intersect_ray_triangle(const Ray ray, const Edges triangle, float2 
 // Measured in lengths of the line, its destination is at 1.
 static bool intersect_line_triangle(const Line line, const Edges triangle) {
     float2 barycentric;
-    return moeller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric)
-           < 1.0f;
+    return moeller_trumbore(line.origin, line.destination - line.origin, triangle, &barycentric) < 1.0f;
 }
 // #endregion line_triangle
 
@@ -97,18 +87,17 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
     // The sum is rounded by its parts; the next test of this triangle, by its extent.
     const float3 extent = max(fabs(edges.b), fabs(edges.c));
     surface->ray_offset = error_along(surface->geometric_normal, surface->position,
-                                  GAMMA(6.0f) * (fabs(edges.corner) + extent)
-                                      + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
+                                      GAMMA(6.0f) * (fabs(edges.corner) + extent)
+                                          + GAMMA(8.0f) * max(extent.x, max(extent.y, extent.z)));
     surface->material = triangle.material;
     // #region mesh_coordinates
     if (HAS_TEXTURES) {
         surface->texture_coordinates = (float2)(0.0f);
     }
     if (HAS_MESH_TEXTURES) {
-        surface->texture_coordinates =
-            a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
-            + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
-            + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
+        surface->texture_coordinates = a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
+                                       + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
+                                       + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
     }
     // #endregion mesh_coordinates
 }

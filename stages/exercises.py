@@ -195,6 +195,8 @@ class Attempt:
         self.environment = os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_exercises")}
         copy_kernels(self.kernels)
         replace_regions(self.kernels, exercise / file)
+        # One ray in a work-item, as on a GPU, is drawn without these.
+        self.has_packets = any(target.startswith("kernels/packets/") for target, *_ in regions_of(exercise / file))
 
     def render(self, *options, scene=None, size=SIZE, original=False):
         """The picture, linear, (height, width, 3); of the stage's default scene where none is named. original: as
@@ -212,6 +214,8 @@ class Attempt:
             path.write_text(scene_text(scene))
             command.append(path)
         command += ["--size", f"{size[0]}x{size[1]}", "--out", picture, "--display", "none", *map(str, options)]
+        if self.has_packets and not any("width=" in str(option) for option in options):
+            command += ["--method", "width=16"]
         if not original:
             command += ["--kernels", self.kernels]
         environment = self.environment | {"STAGELIGHT_ASSETS": str(ROOT / "scenes")}

@@ -4,6 +4,8 @@
 #include <bit>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "device/kernel_source.h"
 #include "scene/lessons.h"
 
@@ -97,8 +99,10 @@ std::uint64_t fingerprint(const cl::Device &device, const std::string &stage, co
     hash.add(device.getInfo<CL_DEVICE_NAME>());
     hash.add(device.getInfo<CL_DRIVER_VERSION>());
     for (const Method &method : methods_of(stage_number(stage))) {
-        hash.add(kernel_source("stages/" + stage + "/kernel.cl", settings.kernels,
-                               {{method.kind, method.name}}));
+        for (const std::string_view lesson : {std::string_view(stage), stage_name(tree_stage)}) {
+            hash.add(kernel_source(fmt::format("stages/{}/kernel.cl", lesson), settings.kernels,
+                                   {{method.kind, method.name}}));
+        }
     }
     hash.add(settings.width);
     hash.add(settings.height);

@@ -47,7 +47,7 @@ std::vector<Variant> variants_of(const std::string &stage, const Scene &scene,
     for (const Method &method : methods_of(number)) {
         if (is_approximate(method.kind) && matters(method.kind, needs)
             && !settings.methods.contains(method.kind)
-            && method.name != choice(base.methods, method.kind) && method.name != "fp64") {
+            && method.name != choice(base.methods, method.kind, number) && method.name != "fp64") {
             variants.push_back({{method.kind, method.name}, base});
             variants.back().settings.methods[method.kind] = method.name;
         }
@@ -163,7 +163,7 @@ void write_probes(const Probes &probes, const std::filesystem::path &file) {
 }  // namespace
 
 bool is_approximate(const std::string &kind) {
-    constexpr std::array others{"width", "nodes", "decode", "encode"};
+    constexpr std::array others{"width", "walk", "decode", "encode"};
     return std::ranges::find(others, kind) == others.end();
 }
 

@@ -18,9 +18,10 @@ namespace stagelight {
 namespace {
 
 constexpr std::uint32_t most_in_leaf = 8;
-constexpr std::uint32_t parallel_from = 4096;  // triangles: a thread for fewer costs more
+constexpr std::uint32_t parallel_from = 4096;  // shapes: a thread for fewer costs more
+constexpr std::size_t child_count = 4;         // of a node: a vector holds a plane of each
 constexpr int bin_count = 16;
-constexpr float traversal_cost = 1;  // of a node, in triangles: 0.5 to 1.5 are as good
+constexpr float traversal_cost = 1;  // of a node, in shapes: 0.5 to 1.5 are as good
 constexpr int deepest_by_cost = 32;  // then halves, so that the depth stays bounded
 
 struct Box {
@@ -69,19 +70,27 @@ struct Branch {
 
 class Builder {
 public:
-    Builder(const Scene &scene, const BvhLayout &layout) : boxes_(scene.triangles.size()) {
-        bvh_.layout = layout;
-        for (std::size_t i = 0; i < boxes_.size(); ++i) {
-            for (const std::uint32_t vertex : scene.triangles[i].vertices) {
-                boxes_[i].add(glm::vec3(scene.vertices[vertex].position));
+    explicit Builder(const Scene &scene)
+        : triangle_count_(static_cast<std::uint32_t>(scene.triangles.size())) {
+        boxes_.reserve(scene.triangles.size() + scene.spheres.size());
+        for (const Triangle &triangle : scene.triangles) {
+            Box box;
+            for (const std::uint32_t vertex : triangle.vertices) {
+                box.add(glm::vec3(scene.vertices[vertex].position));
             }
+            boxes_.push_back(box);
         }
-        bvh_.order.resize(boxes_.size());
-        std::iota(bvh_.order.begin(), bvh_.order.end(), 0U);
+        for (const Sphere &sphere : scene.spheres) {
+            const glm::vec3 center(sphere.center);
+            const auto radius = static_cast<float>(sphere.radius);
+            boxes_.push_back({center - radius, center + radius});
+        }
+        order_.resize(boxes_.size());
+        std::iota(order_.begin(), order_.end(), 0U);
         branches_.resize(boxes_.size());
     }
 
-    Bvh build() {
+    Bvh build(bool padded) {
         if (boxes_.empty()) {
             return {};
         }
@@ -90,20 +99,21 @@ public:
             static_cast<int>(std::bit_width(std::thread::hardware_concurrency()));
         const Part root = divide(all, 0, levels_of_threads);
         const glm::vec3 largest = glm::max(glm::abs(root.box.low), glm::abs(root.box.high));
-        if (bvh_.layout.has_room) {
-            room_ = SLAB_ROOM * std::max({largest.x, largest.y, largest.z});
+        if (padded) {
+            padding_ = SLAB_PADDING * std::max({largest.x, largest.y, largest.z});
         }
+        bvh_.triangles.reserve(triangle_count_);
         emit(children_of(root), 1);
         return std::move(bvh_);
     }
 
 private:
-    glm::vec3 centroid(std::uint32_t place) const { return boxes_[bvh_.order[place]].center(); }
+    glm::vec3 centroid(std::uint32_t place) const { return boxes_[order_[place]].center(); }
 
     Box bounds(const Range &range) const {
         Box box;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
-            box.add(boxes_[bvh_.order[i]]);
+            box.add(boxes_[order_[i]]);
         }
         return box;
     }
@@ -128,7 +138,7 @@ private:
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             const auto bin = static_cast<std::size_t>(
                 bin_of(centroid(i)[axis], centroids.low[axis], centroids.high[axis]));
-            boxes[bin].add(boxes_[bvh_.order[i]]);
+            boxes[bin].add(boxes_[order_[i]]);
             ++counts[bin];
         }
         // #region sweep
@@ -155,8 +165,20 @@ private:
         // #endregion sweep
     }
 
-    // Where the range is cut in two, its triangles put on their sides; the range's begin where it
-    // had better be a leaf.
+    bool is_sphere(std::uint32_t shape) const { return shape >= triangle_count_; }
+
+    // Where the triangles of a range end and its spheres begin; its begin where it has one kind
+    // only.
+    std::uint32_t divide_kinds(const Range &range) {
+        const auto begin = order_.begin() + range.begin;
+        const auto end = order_.begin() + range.end;
+        const auto middle =
+            std::partition(begin, end, [this](std::uint32_t shape) { return !is_sphere(shape); });
+        return middle == end ? range.begin : static_cast<std::uint32_t>(middle - order_.begin());
+    }
+
+    // Where the range is cut in two, its shapes put on their sides; the range's begin where it had
+    // better be a leaf.
     std::uint32_t partition(const Range &range, const Box &box, int depth) {
         const Box centroids = centroid_bounds(range);
         Split best;
@@ -170,29 +192,29 @@ private:
         const float as_leaf = box.half_area() * static_cast<float>(range.size());
         const bool pays = best.cost + traversal_cost * box.half_area() < as_leaf;
         if (range.size() <= most_in_leaf && !pays) {
-            return range.begin;
+            return divide_kinds(range);
         }
         // #endregion pays
-        const auto begin = bvh_.order.begin() + range.begin;
-        const auto end = bvh_.order.begin() + range.end;
+        const auto begin = order_.begin() + range.begin;
+        const auto end = order_.begin() + range.end;
         if (best.axis < 0 || depth >= deepest_by_cost) {
             return halve(range, centroids);
         }
-        const auto middle = std::partition(begin, end, [&](std::uint32_t triangle) {
-            return bin_of(boxes_[triangle].center()[best.axis], centroids.low[best.axis],
+        const auto middle = std::partition(begin, end, [&](std::uint32_t shape) {
+            return bin_of(boxes_[shape].center()[best.axis], centroids.low[best.axis],
                           centroids.high[best.axis])
                    <= best.bin;
         });
-        return static_cast<std::uint32_t>(middle - bvh_.order.begin());
+        return static_cast<std::uint32_t>(middle - order_.begin());
     }
 
-    // By count, along the longest side: for a million triangles in one place, and where costs
+    // By count, along the longest side: for a million shapes in one place, and where costs
     // led too deep.
     std::uint32_t halve(const Range &range, const Box &centroids) {
         const glm::vec3 size = centroids.high - centroids.low;
         const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         const std::uint32_t middle = range.begin + range.size() / 2;
-        const auto at = [this](std::uint32_t place) { return bvh_.order.begin() + place; };
+        const auto at = [this](std::uint32_t place) { return order_.begin() + place; };
         std::nth_element(at(range.begin), at(middle), at(range.end),
                          [&](std::uint32_t a, std::uint32_t b) {
                              const float of_a = boxes_[a].center()[axis];
@@ -225,7 +247,7 @@ private:
     // two.
     std::vector<Part> children_of(const Part &part) const {
         std::vector<Part> children{part};
-        while (children.size() < width()) {
+        while (children.size() < child_count) {
             const auto largest = std::ranges::max_element(children, {}, [](const Part &child) {
                 return child.branch == 0 ? -1.0F : child.box.half_area();
             });
@@ -242,50 +264,65 @@ private:
 
     // Depth first, so that what is walked together lies together. When it is taken up, `waiting`
     // nodes are left, itself among them.
-    std::uint32_t emit(const std::vector<Part> &children, int waiting) {
+    cl_int emit(const std::vector<Part> &children, int waiting) {
         bvh_.stack_size = std::max(bvh_.stack_size, waiting);
         const std::size_t node = bvh_.nodes.size();
-        const std::size_t words = 8 * width();  // six planes, first and count
-        bvh_.nodes.resize(node + words);
+        bvh_.nodes.emplace_back();
         const auto is_inner = [](const Part &child) { return child.branch != 0; };
         const auto inner = static_cast<int>(std::ranges::count_if(children, is_inner));
-        for (std::size_t i = 0; i < width(); ++i) {
-            // In the place of one that is missing, a box that no ray meets.
-            const Part child = i < children.size() ? children[i] : Part{{}, {0, 1}, 0};
-            const std::uint32_t first =
-                is_inner(child) ? emit(children_of(child), waiting - 1 + inner) : child.range.begin;
-            put_child(node, i, child, first);
+        for (std::size_t i = 0; i < child_count; ++i) {
+            if (i >= children.size()) {
+                put_child(node, i, {{}, {0, 1}, 0}, 0);  // a box that no ray meets
+                continue;
+            }
+            const Part &child = children[i];
+            put_child(node, i, child,
+                      is_inner(child) ? emit(children_of(child), waiting - 1 + inner)
+                                      : emit_leaf(child.range));
         }
-        return static_cast<std::uint32_t>(node / words);
+        return static_cast<cl_int>(node);
     }
 
-    std::size_t width() const { return static_cast<std::size_t>(bvh_.layout.width); }
+    // The first of its shapes, in the order of those of its kind.
+    cl_int emit_leaf(const Range &range) {
+        std::vector<std::uint32_t> &shapes =
+            is_leaf_of_spheres(range) ? bvh_.spheres : bvh_.triangles;
+        const auto first = static_cast<cl_int>(shapes.size());
+        for (std::uint32_t place = range.begin; place < range.end; ++place) {
+            shapes.push_back(order_[place] - (is_sphere(order_[place]) ? triangle_count_ : 0));
+        }
+        return first;
+    }
 
-    void put_child(std::size_t node, std::size_t index, const Part &child, std::uint32_t first) {
+    bool is_leaf_of_spheres(const Range &range) const {
+        return range.size() > 0 && is_sphere(order_[range.begin]);
+    }
+
+    void put_child(std::size_t node, std::size_t index, const Part &child, cl_int first) {
+        device::BvhNode &into = bvh_.nodes[node];
         for (int axis = 0; axis < 3; ++axis) {
-            const auto row = static_cast<std::size_t>(axis) * width() + index;
-            put_plane(node + row, child.box.low[axis] - room_);
-            put_plane(node + 3 * width() + row, child.box.high[axis] + room_);
+            into.planes[axis].s[index] = child.box.low[axis] - padding_;
+            into.planes[axis + 3].s[index] = child.box.high[axis] + padding_;
         }
-        const std::size_t children = node + 6 * width() + index;
-        bvh_.nodes[children] = first;
-        bvh_.nodes[children + width()] = child.branch == 0 ? child.range.size() : 0;
+        const auto count = static_cast<cl_int>(child.range.size());
+        into.first[index] = first;
+        into.count[index] = child.branch != 0                 ? 0
+                            : is_leaf_of_spheres(child.range) ? -count
+                                                              : count;
     }
 
-    void put_plane(std::size_t place, float plane) {
-        bvh_.nodes[place] = std::bit_cast<std::uint32_t>(plane);
-    }
-
-    float room_ = 0;  // how far boxes are grown on every side
-    std::vector<Box> boxes_;
+    float padding_ = 0;  // on every side of a box
+    std::uint32_t triangle_count_;
+    std::vector<Box> boxes_;  // of all triangles, then of all spheres
+    std::vector<std::uint32_t> order_;
     std::vector<Branch> branches_;
     Bvh bvh_;
 };
 
 }  // namespace
 
-Bvh build_bvh(const Scene &scene, const BvhLayout &layout) {
-    return Builder(scene, layout).build();
+Bvh build_bvh(const Scene &scene, bool padded) {
+    return Builder(scene).build(padded);
 }
 
 }  // namespace stagelight

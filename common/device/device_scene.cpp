@@ -2,6 +2,7 @@
 #include "device/device_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <optional>
@@ -33,22 +34,28 @@ Bytes pack(const Elements &elements, Convert convert) {
     return bytes;
 }
 
-device::Facet facet_of(const Scene &scene, std::uint32_t index) {
-    device::Facet facet = {};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const glm::vec3 corner(scene.vertices[scene.triangles[index].vertices[i]].position);
-        for (int axis = 0; axis < 3; ++axis) {
-            facet.corners[i][axis] = corner[axis];
-        }
-    }
-    return facet;
+// The shapes, in the order of the tree's leaves where there is a tree.
+template <typename Shapes, typename Convert>
+Bytes pack_shapes(const Shapes &shapes, const Bvh &bvh, const std::vector<std::uint32_t> &order,
+                  Convert convert) {
+    return bvh.nodes.empty()
+               ? pack(shapes, convert)
+               : pack(order, [&](std::uint32_t index) { return convert(shapes[index]); });
+}
+
+std::array<device::float4, 3> corners_of(const Triangle &triangle, const Scene &scene) {
+    std::array<device::float4, 3> corners;
+    std::ranges::transform(triangle.vertices, corners.begin(), [&scene](std::uint32_t vertex) {
+        return to_float4(scene.vertices[vertex].position);
+    });
+    return corners;
 }
 
 // What the host puts behind each name in kernels/scene.cl.
 Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     const auto convert = [](const auto &element) { return to_device(element); };
     if (name == "spheres") {
-        return pack(scene.spheres, convert);
+        return pack_shapes(scene.spheres, bvh, bvh.spheres, convert);
     }
     if (name == "planes") {
         return pack(scene.planes, convert);
@@ -56,26 +63,21 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
     if (name == "lights") {
         return pack(scene.lights, convert);
     }
-    if (name == "triangles" && bvh.order.empty()) {
-        return pack(scene.triangles, convert);
-    }
     if (name == "triangles") {
-        return pack(bvh.order,
-                    [&scene](std::uint32_t index) { return to_device(scene.triangles[index]); });
+        return pack_shapes(scene.triangles, bvh, bvh.triangles, convert);
     }
-    if (name == "facets") {
-        return pack(bvh.order, [&](std::uint32_t index) { return facet_of(scene, index); });
+    if (name == "triangle_corners") {
+        return pack_shapes(scene.triangles, bvh, bvh.triangles, [&scene](const Triangle &triangle) {
+            return corners_of(triangle, scene);
+        });
     }
     if (name == "bvh_nodes") {
-        return pack(bvh.nodes, [](std::uint32_t word) { return word; });
+        return pack(bvh.nodes, [](const device::BvhNode &node) { return node; });
     }
     if (name == "materials") {
         return pack(scene.materials, [&scene](const Material &material) {
             return to_device(material, scene.textures);
         });
-    }
-    if (name == "vertex_positions") {
-        return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.position); });
     }
     if (name == "vertex_normals") {
         return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.normal); });
@@ -130,9 +132,8 @@ std::vector<std::string> argument_order(const SceneNeeds &needs, int stage) {
     add(has("HAS_PLANES"), {"planes", "plane_count"});
     add(has("HAS_MATERIALS"), {"materials"});
     add(has("HAS_LIGHTS"), {"lights", "light_count"});
-    add(meshes, {"triangles", "triangle_count", "vertex_normals"});
-    add(tree, {"facets", "bvh_nodes"});
-    add(meshes && !tree, {"vertex_positions"});
+    add(meshes, {"triangles", "triangle_count", "triangle_corners", "vertex_normals"});
+    add(tree, {"bvh_nodes"});
     add(has("HAS_MESH_TEXTURES"), {"vertex_texture_coordinates"});
     add(has("HAS_TEXTURES"), {"textures"});
     add(true, {"background"});

@@ -21,8 +21,8 @@ constexpr Part parts[] = {
     {"HAS_TRIANGLES", 5, "triangles", "there is no mesh"},
     {"HAS_TEXTURES", 6, "textures", "no material has a texture"},
     {"HAS_MESH_TEXTURES", 6, "texture coordinates of vertices", "no mesh has a texture"},
-    {"HAS_TREE", 9, "tree", "no triangles"},
-    {"HAS_DIELECTRIC_MESH", 10, "smooth glass", "no mesh is dielectric"},
+    {"HAS_TREE", 9, "tree", "neither spheres nor triangles"},
+    {"HAS_DIELECTRIC_MESH", 11, "smooth glass", "no mesh is dielectric"},
 };
 
 }  // namespace

@@ -23,10 +23,10 @@ std::size_t picture_bytes(const cl::Device &device, int width, int height) {
 }
 
 void require_memory(const cl::Device &device, const Scene &scene, Transfer decode,
-                    std::size_t picture, int pictures, bool with_tree) {
-    const std::size_t vertex = (with_tree ? 1 : 2) * sizeof(device::float4)
-                               + (has_textured_mesh(scene) ? sizeof(device::float2) : 0);
-    const std::size_t triangle = sizeof(device::Triangle) + (with_tree ? sizeof(device::Facet) : 0);
+                    std::size_t picture, int pictures) {
+    const std::size_t vertex =
+        sizeof(device::float4) + (has_textured_mesh(scene) ? sizeof(device::float2) : 0);
+    const std::size_t triangle = sizeof(device::Triangle) + 3 * sizeof(device::float4);
     const std::size_t triangles =
         scene.triangles.size() * triangle + scene.vertices.size() * vertex;
     const std::size_t textures = texture_bytes(scene, decode);

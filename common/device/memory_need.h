@@ -17,6 +17,6 @@ std::size_t picture_bytes(const cl::Device &device, int width, int height);
 // picture together are more than the device's memory. `pictures` is how many buffers of its size
 // there are. The nodes of a tree, whose number is known when it is built, come on top.
 void require_memory(const cl::Device &device, const Scene &scene, Transfer decode,
-                    std::size_t picture, int pictures, bool with_tree);
+                    std::size_t picture, int pictures);
 
 }  // namespace stagelight

@@ -14,19 +14,19 @@ namespace {
 
 const std::vector<Method> &all_methods() {
     static const std::vector<Method> methods = {
-        {"sphere", "haines", acceleration_stage, "",
+        {"sphere", "haines", packet_stage, "",
          "Haines et al., Ray Tracing Gems 2019, chapter 7: no difference of large numbers"},
-        {"sphere", "geometric", acceleration_stage, "",
+        {"sphere", "geometric", 1, "",
          "the paper, section 2: by the perpendicular from the centre"},
-        {"sphere", "textbook", acceleration_stage, "", "the quadratic formula as in school"},
-        {"triangle", "woop", acceleration_stage, "", "Woop, Benthin and Wald 2013: watertight"},
-        {"triangle", "moeller_trumbore", acceleration_stage, "",
+        {"sphere", "textbook", 1, "", "the quadratic formula as in school"},
+        {"triangle", "woop", tree_stage, "", "Woop, Benthin and Wald 2013: watertight"},
+        {"triangle", "moeller_trumbore", tree_stage, "",
          "Möller and Trumbore 1997, with no threshold"},
-        {"triangle", "threshold", acceleration_stage, "",
+        {"triangle", "threshold", tree_stage, "",
          "Möller and Trumbore 1997, as in their code: no determinant below 1e-5"},
-        {"box", "robust", acceleration_stage, "",
-         "by comparing, with room for 2 ulp of each coordinate (after Ize 2013)"},
-        {"box", "ordered", acceleration_stage, "", "Kay and Kajiya 1986, by comparing"},
+        {"box", "robust", tree_stage, "",
+         "by comparing, padded by 2 ulp of each coordinate (after Ize 2013)"},
+        {"box", "ordered", tree_stage, "", "Kay and Kajiya 1986, by comparing"},
         {"origin", "error_bound", 2, "",
          "PBRT 3rd edition, section 3.9: by what rounding can have done to the position"},
         {"origin", "scaled", 2, "", "off the surface by 2e-6 of the largest number in play"},
@@ -67,15 +67,16 @@ const std::vector<Method> &all_methods() {
          "until a ray carries less than 1/4096 of a pixel"},
         {"depth", "coarse", fading_stage, "", "until a ray carries less than 1/64 of a pixel"},
         {"depth", "fixed", fading_stage, "", "every ray, to the depth limit"},
-        {"width", "device", acceleration_stage, "",
+        {"walk", "beam", packet_stage, "",
+         "down the tree with four packets as one beam (Reshetov et al. 2005), then each by itself"},
+        {"walk", "packet", packet_stage, "",
+         "down the tree with each packet by itself (Wald et al. 2001)"},
+        {"width", "device", packet_stage, "",
          "rays side by side in a work-item: 1 on a GPU, else the width that the device prefers"},
-        {"width", "1", acceleration_stage, "", "one ray in a work-item"},
-        {"width", "4", acceleration_stage, "", "2x2 rays side by side"},
-        {"width", "8", acceleration_stage, "", "4x2 rays side by side"},
-        {"width", "16", acceleration_stage, "", "4x4 rays side by side"},
-        {"nodes", "4", acceleration_stage, "", "four children to a node of the tree"},
-        {"nodes", "2", acceleration_stage, "", "two children to a node of the tree"},
-        {"nodes", "8", acceleration_stage, "", "eight children to a node of the tree"},
+        {"width", "1", packet_stage, "", "one ray in a work-item"},
+        {"width", "4", packet_stage, "", "2x2 rays side by side"},
+        {"width", "8", packet_stage, "", "4x2 rays side by side"},
+        {"width", "16", packet_stage, "", "4x4 rays side by side"},
     };
     return methods;
 }
@@ -116,14 +117,23 @@ std::vector<Method> methods_of(int stage) {
     return methods;
 }
 
-std::string choice(const Methods &methods, const std::string &kind) {
+std::string choice(const Methods &methods, const std::string &kind, int stage) {
     const auto chosen = methods.find(kind);
     if (chosen != methods.end()) {
         return chosen->second;
     }
-    const auto first = std::ranges::find(all_methods(), kind, &Method::kind);
+    const auto first = std::ranges::find_if(all_methods(), [&](const Method &method) {
+        return method.kind == kind && method.first_stage <= stage;
+    });
     assert(first != all_methods().end());
     return first->name;
+}
+
+Methods with_defaults(Methods methods, int stage) {
+    for (const Method &method : methods_of(stage)) {
+        methods.try_emplace(method.kind, method.name);
+    }
+    return methods;
 }
 
 Methods files_of(Methods methods, const SceneNeeds &needs) {
@@ -140,8 +150,8 @@ bool matters(const std::string &kind, const SceneNeeds &needs) {
     const std::map<std::string, bool> known = {
         {"sphere", has("HAS_SPHERES")},
         {"triangle", has("HAS_TRIANGLES")},
-        {"box", has("HAS_TRIANGLES")},
-        {"nodes", has("HAS_TRIANGLES")},
+        {"box", has("HAS_TRIANGLES") || has("HAS_SPHERES")},
+        {"walk", has("HAS_TRIANGLES") || has("HAS_SPHERES")},
         {"origin", has("HAS_LIGHTS") || bounces},
         {"fresnel", glass},
         {"interior", glass && has("HAS_SPHERES")},

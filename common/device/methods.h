@@ -17,8 +17,10 @@ constexpr int glass_stage = 4;
 constexpr int texture_stage = 6;
 // The first that decodes textures and encodes what it shows.
 constexpr int gamma_stage = 8;
-// The first that has a tree of boxes, and traces rays side by side.
-constexpr int acceleration_stage = 9;
+// The first that has a tree of boxes, walked by one ray.
+constexpr int tree_stage = 9;
+// The first that traces rays side by side.
+constexpr int packet_stage = 10;
 
 struct Method {
     std::string kind;
@@ -37,8 +39,11 @@ using Methods = std::map<std::string, std::string>;
 // What kernel_source takes for a scene: a scene without textures has nothing to filter.
 Methods files_of(Methods methods, const SceneNeeds &needs);
 
-// The name that was chosen for a kind, or its default.
-std::string choice(const Methods &methods, const std::string &kind);
+// The name that was chosen for a kind, or its default at `stage`.
+std::string choice(const Methods &methods, const std::string &kind, int stage = fading_stage);
+
+// The choices, and for each other kind that the stage has, its default.
+Methods with_defaults(Methods methods, int stage);
 
 // Adds a choice "KIND=NAME". Throws UserError with the list of what `stage` has, or with the first
 // stage that has the choice.

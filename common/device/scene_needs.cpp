@@ -135,7 +135,6 @@ std::string definitions_of(const SceneNeeds &needs) {
         {"FADED_ONE_IN", 0},
         {"STACK_SIZE", 1},
         {"WIDTH", 1},
-        {"BVH_WIDTH", 2},
         {"BVH_STACK_SIZE", 1},
     };
     std::string definitions;

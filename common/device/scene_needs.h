@@ -16,11 +16,11 @@ namespace stagelight {
 // and the amber of 04_interior: no pixel is off by more than 0.00094, a quarter of 1/255, and none
 // by more than one code of an sRGB picture, for 20, 45 and 42 % fewer rays; with 1/1024 by 0.0038,
 // and by four codes and more.
-constexpr int fading_stage = 10;
+constexpr int fading_stage = 11;
 constexpr int faded_one_in = 4096;
 
 // How many bounces `stage` follows where no --depth says it: what the scene's file says, else 8;
-// but from stage 10 on no more than it takes until every ray has faded, where the materials'
+// but from stage 11 on no more than it takes until every ray has faded, where the materials'
 // colours and shares alone see to that, and then at most 16.
 int depth_of(const Scene &scene, int stage);
 

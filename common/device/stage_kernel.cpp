@@ -36,7 +36,7 @@ bool is_double(const Methods &methods) {
     return choice(methods, "math") == "fp64";
 }
 
-// How many rays one work-item traces side by side (kernels/wide.cl).
+// How many rays one work-item traces side by side (kernels/packets/wide.cl).
 int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
     const std::string chosen = choice(settings.methods, "width");
     if (settings.split) {
@@ -49,11 +49,6 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
                                   ? device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_DOUBLE>()
                                   : device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
     return is_gpu(device) || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
-}
-
-BvhLayout layout_of(const Methods &methods) {
-    return {.width = std::stoi(choice(methods, "nodes")),
-            .has_room = choice(methods, "box") == "robust"};
 }
 
 // ": " and the first line of what a compiler said, which `log` has after ":\n".
@@ -200,27 +195,31 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                                          fade_at_of(settings.methods))),
       samples_(settings.samples), is_double_(is_double(settings.methods)) {
     const Transfer decode = decode_of(stage_number(stage), settings.methods);
-    const bool with_tree = stage_number(stage) >= acceleration_stage;
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
-                   settings.samples > 1 ? 3 : 1,  // a sample and the sum of all, beside their mean
-                   with_tree);
-    Bvh bvh;
-    if (with_tree) {
+                   settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
+    const int number = stage_number(stage);
+    if (number >= packet_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
-        const BvhLayout layout = layout_of(settings.methods);
-        milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, layout); });
+    }
+    Bvh bvh;
+    if (number >= tree_stage) {
+        const bool padded = choice(settings.methods, "box") == "robust";
+        milliseconds_.tree = timed("building the tree", [&] { bvh = build_bvh(scene, padded); });
     }
     if (!bvh.nodes.empty()) {
         constexpr int step = 16;  // so that trees of much the same depth share a program
         needs_.emplace_back("HAS_TREE", 1);
-        needs_.emplace_back("BVH_WIDTH", bvh.layout.width);
         needs_.emplace_back("BVH_STACK_SIZE", (bvh.stack_size + step - 1) / step * step);
     }
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
-    const std::string source = kernel_source("stages/" + stage + "/kernel.cl", settings.kernels,
-                                             files_of(settings.methods, needs_));
+    // Where a work-item has one ray, packets give way to the tree for one.
+    const std::string lesson(number >= packet_stage && width_ == 1 ? stage_name(tree_stage)
+                                                                   : std::string_view(stage));
+    const std::string source =
+        kernel_source("stages/" + lesson + "/kernel.cl", settings.kernels,
+                      files_of(with_defaults(settings.methods, number), needs_));
     milliseconds_.kernel = timed("building the kernel", [&] {
         const bool from_disk = named_kernels(settings.kernels).has_value();
         kernel_ = render_kernel(build_program(context, source, options_, from_disk), from_disk);
@@ -314,9 +313,10 @@ void StageKernel::render(const cl::CommandQueue &queue, const cl::Memory &image,
         launch_split(queue, width, height);
     } else {
         // #region launch
-        const int tile_width = TILE_WIDTH_OF(width_);
+        const bool packets = width_ > 1;
+        const int tile_width = packets ? TILE_WIDTH_OF(width_) : 1;
         const int tile_height = width_ / tile_width;
-        const int tiles = PACKETS_IN_ROW_OF(width_);  // and as many below each other
+        const int tiles = packets ? PACKETS_IN_ROW : 1;  // and as many below each other
         queue.enqueueNDRangeKernel(
             kernel_, cl::NullRange,
             cl::NDRange(work_items(width, tiles * tile_width, group_width_),

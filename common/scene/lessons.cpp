@@ -76,7 +76,7 @@ void add_shapes(Notes &notes, const Scene &scene, std::vector<bool> &used) {
         use(triangle.material);
         if (scene.materials[static_cast<std::size_t>(triangle.material)].type
             == MaterialType::dielectric) {
-            notes.add("dielectric mesh", 10,
+            notes.add("dielectric mesh", 11,
                       scene.meshes[static_cast<std::size_t>(triangle.mesh)].where);
         }
     }

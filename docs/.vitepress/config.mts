@@ -24,7 +24,7 @@ const chapters = readdirSync(resolve(docs, 'chapters'))
 export default defineConfig({
   lang: 'en',
   title: 'Stagelight',
-  description: 'A course in C++ and OpenCL: a Whitted ray tracer in ten stages, each proven right',
+  description: 'A course in C++ and OpenCL: a Whitted ray tracer in eleven stages, each proven right',
   outDir: '../build/docs/site',
   cacheDir: '../build/docs/cache',
   srcExclude: ['generated/**', 'node_modules/**'],

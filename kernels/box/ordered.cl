@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much room boxes leave for rounding: none.
+// How boxes are padded against rounding: not at all.
 #include "scene_types.h"
 
-#define ROOM 0.0f
+#define PADDING 0.0f

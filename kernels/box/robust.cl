@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 09: how much room boxes leave for rounding, in shares of a coordinate. As the makers of
-// the boxes leave it.
+// Introduced by stage 09: how boxes are padded against rounding, in shares of a coordinate: as the host pads them.
 #include "scene_types.h"
 
-#define ROOM SLAB_ROOM
+#define PADDING SLAB_PADDING

@@ -8,8 +8,7 @@ __constant sampler_t nearest_sampler =
 
 // #region filtered_hand
 static float3 nearest_texel(const float2 place, const float layer, TEXTURES textures) {
-    return XYZ(
-        read_imagef(textures, nearest_sampler, convert_float4((float4)(place, layer, 0.0f))));
+    return XYZ(read_imagef(textures, nearest_sampler, convert_float4((float4)(place, layer, 0.0f))));
 }
 
 static float3 filtered(const float2 texel, const float layer, TEXTURES textures) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 01: a ray for every pixel, and the sphere or plane that it hits first.
 #include "camera.cl"
+#include "each_shape.cl"
 #include "closest_hit.cl"
 #include "picture.cl"
 #include "surface.cl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 02: diffuse shading under point and directional lights, with hard shadows.
 #include "camera.cl"
+#include "each_shape.cl"  // extended: any of them
 #include "closest_hit.cl"
 #include "picture.cl"
 #include "any_hit.cl"             // new: whether anything is in the way
@@ -14,7 +15,7 @@
 #include "ray.cl"                 // extended: lines; what a surface is made of
 #include "scene.cl"               // extended: materials and lights
 #include "scene_types.h"          // extended: materials and lights
-#include "sphere.cl"              // extended: lines
+#include "sphere.cl"              // new: lines
 #include "surface.cl"             // extended: what it is made of, and where its rays start
 
 // #region render
@@ -34,10 +35,10 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     float3 color = XYZ(scene.background);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);
-// #region shade_hit
+        // #region shade_hit
         const float3 reflectance = XYZ(scene.materials[surface.material].color);
         color = reflectance * direct_light(&scene, &surface, &counts);
-// #endregion shade_hit
+        // #endregion shade_hit
     }
     write_pixel(image, camera.size.x, pixel, color);
     add_ray_counts(&ray_counts[pixel.y], counts);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 04: glass. A hit now spawns two rays, one reflected and one refracted, and on its way
 // through glass a ray loses light by Beer's law.
+#include "each_shape.cl"
+#include "closest_hit.cl"
+#include "any_hit.cl"
 #include "render.cl"
 #include "dielectric.cl"        // new: Snell, total internal reflection
 #include "fresnel/schlick.cl"   // new: how much is reflected

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 06: textures. The colour of a surface is read from a picture, at a place that a sphere
 // works out and a mesh brings along.
+#include "each_shape.cl"
+#include "closest_hit.cl"
+#include "any_hit.cl"
 #include "filtering/sampler.cl"    // new: four texels, blended by the device
 #include "texture.cl"              // new: one array of pictures
 #include "texture_coordinates.cl"  // new: longitude and latitude

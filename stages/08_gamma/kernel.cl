@@ -4,4 +4,7 @@
 // are not light but light through a curve, which spends 8 bits as the eye would. new:
 // transfer_curves.h has the curves. The host decodes each texel on load, and encodes the picture when
 // it is written, each of them once.
+#include "each_shape.cl"
+#include "closest_hit.cl"
+#include "any_hit.cl"
 #include "render.cl"

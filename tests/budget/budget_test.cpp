@@ -16,11 +16,11 @@ Budget between_mirrors(double max_error, const Probes &probes) {
     settings.width = 160;
     settings.height = 96;
     settings.max_depth = scene.max_depth;
-    return meet_budget(choose_device(implementations.front()), "10_full_tracer", scene, settings,
+    return meet_budget(choose_device(implementations.front()), "11_full_tracer", scene, settings,
                        probes, max_error);
 }
 
-TEST(Stage10Budget, IsMetInDoubleWhereFloatIsNotEnough) {
+TEST(Stage11Budget, IsMetInDoubleWhereFloatIsNotEnough) {
     if (!has_extension(choose_device(implementations.front()), "cl_khr_fp64")) {
         GTEST_SKIP() << implementations.front() << " has no doubles";
     }

@@ -14,7 +14,7 @@ namespace {
 struct Asked {
     Scene scene;
     RenderSettings settings;
-    std::string stage = "10_full_tracer";
+    std::string stage = "11_full_tracer";
     std::string device = "pocl";
 };
 
@@ -36,7 +36,7 @@ std::uint64_t fingerprint_of(const Asked &asked) {
 
 // Of each thing that a picture or its cost hangs on, another value is another fingerprint; of what
 // neither does, it is not.
-TEST(Stage10Fingerprint, TellsScenesDevicesAndSettingsApart) {
+TEST(Stage11Fingerprint, TellsScenesDevicesAndSettingsApart) {
     using Change = std::function<void(Asked &)>;
     const std::vector<Change> changes{
         [](Asked &) {},
@@ -58,7 +58,7 @@ TEST(Stage10Fingerprint, TellsScenesDevicesAndSettingsApart) {
         [](Asked &it) { it.settings.width = 641; },
         [](Asked &it) { it.settings.max_depth = 7; },
         [](Asked &it) { it.settings.methods["math"] = "mad"; },
-        [](Asked &it) { it.stage = "09_acceleration"; },
+        [](Asked &it) { it.stage = "10_packets"; },
         [](Asked &it) { it.device = "llvmpipe"; },
     };
     std::set<std::uint64_t> found;

@@ -26,7 +26,7 @@ Plan plan_for(double limit) {
     return cheapest_plan(probes, 8, limit);
 }
 
-TEST(Stage10Plan, OfNothingIsTheBase) {
+TEST(Stage11Plan, OfNothingIsTheBase) {
     const Plan plan = plan_for(1e-6);
     EXPECT_EQ(plan.methods, probes.base);
     EXPECT_EQ(plan.max_depth, 8);
@@ -35,7 +35,7 @@ TEST(Stage10Plan, OfNothingIsTheBase) {
     EXPECT_EQ(to_string(plan, 8), "fresnel=exact");
 }
 
-TEST(Stage10Plan, TakesWhatIsFasterAndWithinTheLimit) {
+TEST(Stage11Plan, TakesWhatIsFasterAndWithinTheLimit) {
     const Plan plan = plan_for(2e-4);
     EXPECT_EQ(to_string(plan, 8), "fresnel=exact, sphere=geometric");
     EXPECT_DOUBLE_EQ(plan.ratio, 0.7);
@@ -43,7 +43,7 @@ TEST(Stage10Plan, TakesWhatIsFasterAndWithinTheLimit) {
 }
 
 // The squares of both errors together are over the limit: the faster of the two is taken.
-TEST(Stage10Plan, WeighsChoicesAgainstEachOther) {
+TEST(Stage11Plan, WeighsChoicesAgainstEachOther) {
     EXPECT_EQ(to_string(plan_for(1.05e-2), 8), "fresnel=none, sphere=geometric");
     const Plan both = plan_for(1.2e-2);
     EXPECT_EQ(to_string(both, 8), "fresnel=none, sphere=geometric, depth limit=2");
@@ -51,7 +51,7 @@ TEST(Stage10Plan, WeighsChoicesAgainstEachOther) {
     EXPECT_DOUBLE_EQ(both.ratio, 0.5 * 0.7 * 0.6);
 }
 
-TEST(Stage10Plan, IsNeverSlowerForMoreError) {
+TEST(Stage11Plan, IsNeverSlowerForMoreError) {
     double before = 1;
     for (double limit = 1e-6; limit < 1; limit *= 1.2) {
         const Plan plan = plan_for(limit);
@@ -61,7 +61,7 @@ TEST(Stage10Plan, IsNeverSlowerForMoreError) {
     }
 }
 
-TEST(Stage10Rmse, IsOverAllPixelsAndChannels) {
+TEST(Stage11Rmse, IsOverAllPixelsAndChannels) {
     Image truth(2, 1);
     Image picture = truth;
     EXPECT_EQ(rmse_of(picture, truth), 0);

@@ -14,8 +14,8 @@ namespace {
 
 // Spheres and lights; mirrors; glass spheres; textured meshes; a mesh of 70,000 triangles; all of
 // it.
-const std::vector<std::string> scenes{"02_lights", "03_mirrors",      "04_interior",
-                                      "08_gamma",  "09_acceleration", "10_full_tracer"};
+const std::vector<std::string> scenes{"02_lights", "03_mirrors", "04_interior",
+                                      "08_gamma",  "09_tree",    "11_full_tracer"};
 
 struct Arguments {
     std::vector<std::filesystem::path> scenes;

@@ -43,7 +43,7 @@ for scene in report["scenes"]:
     assert all(any(p["front"] for p in scene["points"] if p["kind"] == kind) for kind in defaults)
 kinds = {kind for kind, _ in seen}
 assert kinds >= {"sphere", "triangle", "box", "origin", "fresnel", "interior", "transmission", "filtering", "decode",
-                 "encode", "normalise", "math", "depth", "nodes"}, kinds
+                 "encode", "normalise", "math", "depth", "walk"}, kinds
 for name in ["index", "chart"] + [scene["name"] for scene in report["scenes"]]:
     for ending in ("svg", "png") if name != "index" else ("html",):
         assert (folder / f"{name}.{ending}").stat().st_size > 1000, name

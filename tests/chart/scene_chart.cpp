@@ -102,7 +102,8 @@ private:
         }
         const std::string options = renderer_.stage_kernel().options() + ' ';
         const bool scalar = options.find("-D WIDTH=1 ") != std::string::npos;
-        if (method.kind == "width" && scalar && method.name != "1") {
+        const bool wide = (method.kind == "width" && method.name != "1") || method.kind == "walk";
+        if (scalar && wide) {
             chart_.left_out.push_back(
                 {method.kind + '=' + method.name, "the device itself is one lane wide"});
             return true;
@@ -112,7 +113,7 @@ private:
 
     bool is_default(const Method &method) {
         if (method.kind != "width") {
-            return method.name == choice({}, method.kind);
+            return method.name == choice({}, method.kind, stage_number(stage()));
         }
         return method.name == std::to_string(value_of(renderer_.stage_kernel().needs(), "WIDTH"));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 10 as a user meets it: what it warns of, how deep it goes, and what it leaves out.
+// Stage 11 as a user meets it: what it warns of, how deep it goes, and what it leaves out.
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -11,10 +11,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto stage = "10_full_tracer";
+constexpr auto stage = "11_full_tracer";
 constexpr auto camera = "[camera]\nposition = [3, 2, 4]\nlook_at = [0, 0, 0]\n";
 
-class Stage10Warning : public Cli {
+class Stage11Warning : public Cli {
 protected:
     // A pyramid of glass with these faces.
     Outcome draw(const std::string &faces) const {
@@ -27,7 +27,7 @@ protected:
     }
 };
 
-TEST_F(Stage10Warning, NamesGlassThatIsNotClosed) {
+TEST_F(Stage11Warning, NamesGlassThatIsNotClosed) {
     const Outcome outcome = draw("f 1 3 2\nf 1 2 4\nf 2 3 4\n");
     EXPECT_EQ(outcome.code, 0) << outcome;
     EXPECT_TRUE(outcome.err.starts_with("warning: scene.toml:7:8: ")
@@ -37,12 +37,12 @@ TEST_F(Stage10Warning, NamesGlassThatIsNotClosed) {
     expect_part(outcome.out, "wrote a.png");
 }
 
-TEST_F(Stage10Warning, IsNotForClosedGlass) {
+TEST_F(Stage11Warning, IsNotForClosedGlass) {
     expect_done(draw("f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
 }
 
 // A ball of that material on a white floor, lit from above.
-class Stage10Needs : public Cli {
+class Stage11Needs : public Cli {
 protected:
     json stats(const std::string &material, std::vector<std::string> arguments = {},
                const std::string &more = "") const {
@@ -69,7 +69,7 @@ constexpr auto paint = "type = \"diffuse\"\n";
 constexpr auto varnish = "type = \"glossy\"\ncolor = [0.5, 0.4, 0.3]\nspecularity = 0.5\n";
 
 // A share of a quarter at most is handed on: a sixth bounce has 1/4096 of the weight.
-TEST_F(Stage10Needs, GiveTheDepth) {
+TEST_F(Stage11Needs, GiveTheDepth) {
     EXPECT_EQ(stats(paint).at("max_depth"), 0);
     const json derived = stats(varnish);
     EXPECT_EQ(derived.at("max_depth"), 6);
@@ -79,14 +79,13 @@ TEST_F(Stage10Needs, GiveTheDepth) {
     EXPECT_EQ(stats(varnish, {"--depth", "2"}).at("max_depth"), 2);
 }
 
-TEST_F(Stage10Needs, AreToldWithWhatTheyLeaveOut) {
+TEST_F(Stage11Needs, AreToldWithWhatTheyLeaveOut) {
     const json left = stats(paint).at("left_out");
     EXPECT_EQ(left, json({{"mirrors", "no material is mirror or glossy"},
                           {"refraction", "no material is dielectric"},
                           {"triangles", "there is no mesh"},
                           {"textures", "no material has a texture"},
                           {"texture coordinates of vertices", "no mesh has a texture"},
-                          {"tree", "no triangles"},
                           {"smooth glass", "no mesh is dielectric"},
                           {"branch on the type of light", "all lights are of one type"},
                           {"stack", "no ray splits in two: it has one place"}}));
@@ -102,7 +101,7 @@ TEST_F(Stage10Needs, AreToldWithWhatTheyLeaveOut) {
 }
 
 // The floor and the light are white: nothing is brighter than 1.
-TEST_F(Stage10Needs, BoundTheErrorOfWhatHasFaded) {
+TEST_F(Stage11Needs, BoundTheErrorOfWhatHasFaded) {
     const json glass = stats("type = \"dielectric\"\ncolor = [0.9, 0.9, 0.9]\n", {"--depth", "40"});
     const json &faded = glass.at("faded_rays");
     EXPECT_GT(faded.at("count"), 0);

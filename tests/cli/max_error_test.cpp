@@ -7,11 +7,11 @@
 namespace stagelight::cli {
 namespace {
 
-constexpr auto stage = "10_full_tracer";
+constexpr auto stage = "11_full_tracer";
 
-class Stage10MaxError : public Cli {
+class Stage11MaxError : public Cli {
 protected:
-    Stage10MaxError() {
+    Stage11MaxError() {
         folder.write("scene.toml",
                      "[camera]\nposition = [0, 0, 4]\nlook_at = [0, 0, 0]\n"
                      "[materials.clay]\ntype = \"diffuse\"\n[[spheres]]\ncenter = [0, 0, 0]\n"
@@ -26,7 +26,7 @@ protected:
 };
 
 // The second time by what the first has kept.
-TEST_F(Stage10MaxError, SaysWhatItChoseAndHowWrongThatIs) {
+TEST_F(Stage11MaxError, SaysWhatItChoseAndHowWrongThatIs) {
     const Outcome first = draw({"--max-error", "0.001"});
     expect_done(first);
     expect_part(first.out, "for --max-error 0.001: ");
@@ -43,7 +43,7 @@ TEST_F(Stage10MaxError, SaysWhatItChoseAndHowWrongThatIs) {
     EXPECT_EQ(files().size(), 6);
 }
 
-TEST_F(Stage10MaxError, ThatNothingMeetsStillDraws) {
+TEST_F(Stage11MaxError, ThatNothingMeetsStillDraws) {
     const Outcome outcome = draw({"--max-error", "1e-12"});
     EXPECT_EQ(outcome.code, 1) << outcome;
     expect_part(outcome.err, "error: no methods meet --max-error 1e-12; ");
@@ -51,13 +51,13 @@ TEST_F(Stage10MaxError, ThatNothingMeetsStillDraws) {
     expect_part(outcome.out, "wrote a.png\n");
 }
 
-TEST_F(Stage10MaxError, IsANumberAboveNothing) {
+TEST_F(Stage11MaxError, IsANumberAboveNothing) {
     for (const char *bad : {"0", "-1", "nan", "inf", "1e-400", "little", ""}) {
         expect_one_line(draw({"--max-error", bad}), users_mistake,
                         std::string("--max-error: ") + bad + ": expected a number above 0");
     }
     expect_one_line(draw({"--max-error", "0.1", "--samples", "4"}), users_mistake, "--samples");
-    expect_one_line(run("09_acceleration", {"--max-error", "0.1"}), users_mistake, "--max-error");
+    expect_one_line(run("10_packets", {"--max-error", "0.1"}), users_mistake, "--max-error");
     EXPECT_EQ(files(), std::vector<std::string>{"scene.toml"});
 }
 

@@ -38,7 +38,7 @@ protected:
 
 using Stage01OddDevice = OddDevice;
 using Stage06OddDevice = OddDevice;
-using Stage09OddDevice = OddDevice;
+using Stage10OddDevice = OddDevice;
 
 TEST_F(Stage01OddDevice, BelowOpenCl12IsPassedOver) {
     expect_passed_over(draw("01_primitives", "opencl_1_1", {}), " has OpenCL 1.1 Mesa 22.3.6, ",
@@ -85,9 +85,9 @@ TEST_F(Stage01OddDevice, ThatDoesNotBuildEndsWhereItWasAskedFor) {
 }
 
 // Every device says that it is one: rusticl takes a minute and more to build packets.
-TEST_F(Stage09OddDevice, AGpuWarnsOfWidePackets) {
+TEST_F(Stage10OddDevice, AGpuWarnsOfWidePackets) {
     const Outcome outcome =
-        draw("09_acceleration", "gpu", {scenes + "02_lights.toml", "--method", "width=4"}, "");
+        draw("10_packets", "gpu", {scenes + "02_lights.toml", "--method", "width=4"}, "");
     EXPECT_EQ(outcome.code, 0) << outcome;
     EXPECT_TRUE(outcome.err.starts_with("warning: --method width=4: ")) << outcome;
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome;
@@ -120,15 +120,15 @@ TEST_F(Stage01NoArgumentNames, AreKnownByTheirOrder) {
     expect_same("01_primitives", {}, no_names);
     expect_same("02_shading_shadows", {}, no_names);
     expect_same("07_interop", {scenes + "07_interop.toml", "--display", "none"}, no_names);
-    expect_same("10_full_tracer", {scenes + "07_interop.toml"}, no_names);
-    expect_same("10_full_tracer",
+    expect_same("11_full_tracer", {scenes + "07_interop.toml"}, no_names);
+    expect_same("11_full_tracer",
                 {scenes + "07_interop.toml", "--method", "triangle=moeller_trumbore"}, no_names);
 }
 
 TEST_F(Stage03SmallWorkGroups, DrawTheSame) {
     for (const char *limit : {"POCL_MAX_WORK_GROUP_SIZE=32", "POCL_MAX_WORK_GROUP_SIZE=1"}) {
         expect_same("03_reflection_glossy", {}, {limit});
-        expect_same("09_acceleration", {scenes + "02_lights.toml"}, {limit});
+        expect_same("10_packets", {scenes + "02_lights.toml"}, {limit});
     }
 }
 

@@ -14,9 +14,9 @@ namespace {
 using Files = std::vector<std::string>;
 
 const std::vector<std::string> stages{
-    "01_primitives",   "02_shading_shadows", "03_reflection_glossy", "04_refraction_beer",
-    "05_meshes",       "06_textures",        "07_interop",           "08_gamma",
-    "09_acceleration", "10_full_tracer"};
+    "01_primitives", "02_shading_shadows", "03_reflection_glossy", "04_refraction_beer",
+    "05_meshes",     "06_textures",        "07_interop",           "08_gamma",
+    "09_tree",       "10_packets",         "11_full_tracer"};
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 
@@ -78,7 +78,8 @@ TEST_P(EveryStage, ListsItsMethods) {
                                               {"filtering=hand ", "06"},
                                               {"encode=2.2 ", "08"},
                                               {"triangle=woop ", "09"},
-                                              {"fresnel=exact ", "10"}}) {
+                                              {"width=16 ", "10"},
+                                              {"fresnel=exact ", "11"}}) {
         EXPECT_EQ(outcome.out.find(method) != std::string::npos, GetParam() >= first_stage)
             << method;
     }
@@ -131,8 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"frames_zero", {"--frames", "0"}, "--frames"},
         BadOption{"method_kind",
                   {"--method", "exterior=full"},
-                  "--method exterior=full: expected one of normalise=exact|native, "
-                  "math=strict|mad|relaxed|fp64\n"},
+                  "--method exterior=full: expected one of sphere=geometric|textbook, "
+                  "normalise=exact|native, math=strict|mad|relaxed|fp64\n"},
         BadOption{"method_too_early",
                   {"--method", "interior=paper"},
                   "--method interior=paper: 01_primitives has not learnt that yet; "

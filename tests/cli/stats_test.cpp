@@ -76,7 +76,8 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
                                                  {"planes", 32},
                                                  {"image", 32 * 20 * 16},
                                                  {"total", 7 * 32 + 32 + 32 * 20 * 16}}));
-    EXPECT_EQ(stats.at("methods"), json({{"math", "strict"}, {"normalise", "exact"}}));
+    EXPECT_EQ(stats.at("methods"),
+              json({{"math", "strict"}, {"normalise", "exact"}, {"sphere", "geometric"}}));
     EXPECT_EQ(stats.at("rays"),
               json({{"primary", 32 * 20}, {"shadow", 0}, {"reflection", 0}, {"refraction", 0}}));
     EXPECT_EQ(stats.at("dropped_rays"), 0);
@@ -86,7 +87,7 @@ TEST_F(Stage01Stats, HaveWhatTheSceneNeededAndNoMore) {
 // when a process started is 10 ms.
 TEST_F(Stage09Stats, NameThePartsFromStartToPicture) {
     const auto began = std::chrono::steady_clock::now();
-    const json startup = this->stats("09_acceleration", {"--frames", "3"}).at("startup");
+    const json startup = this->stats("09_tree", {"--frames", "3"}).at("startup");
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - began;
     EXPECT_EQ(keys_of(startup),
               (std::vector<std::string>{"device", "first_frame", "kernel", "scene", "start",
@@ -106,7 +107,7 @@ TEST_F(Stage09Stats, NameThePartsFromStartToPicture) {
 
 // OpenImageIO brings 240 libraries, which take 0.3 s of every start. The loader says what it loads.
 TEST_F(Stage09Stats, NeedNoOpenImageIo) {
-    const Outcome outcome = run("09_acceleration", Start{{}, {"LD_TRACE_LOADED_OBJECTS=1"}});
+    const Outcome outcome = run("09_tree", Start{{}, {"LD_TRACE_LOADED_OBJECTS=1"}});
     expect_part(outcome.out, "libassimp");
     EXPECT_EQ(outcome.out.find("libOpenImageIO"), std::string::npos) << outcome;
 }

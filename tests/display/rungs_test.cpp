@@ -123,8 +123,8 @@ TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
 INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage,
                          testing::Values("01_primitives", "02_shading_shadows",
                                          "03_reflection_glossy", "04_refraction_beer", "05_meshes",
-                                         "06_textures", "08_gamma", "09_acceleration",
-                                         "10_full_tracer"),
+                                         "06_textures", "08_gamma", "09_tree", "10_packets",
+                                         "11_full_tracer"),
                          [](const auto &instance) { return std::string(instance.param); });
 
 class Stage07Ladder : public WithDisplay {

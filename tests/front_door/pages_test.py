@@ -20,7 +20,7 @@ import show  # noqa: E402
 
 # By what a scene may lack: the modules that are gone then.
 SERVES = {
-    ("HAS_SPHERES",): ("sphere.cl", "texture_coordinates.cl"),
+    ("HAS_SPHERES",): ("sphere.cl", "sphere/", "texture_coordinates.cl"),
     ("HAS_PLANES",): ("plane.cl",),
     ("HAS_TRIANGLES", "HAS_MESH_TEXTURES"): ("triangle.cl",),
     ("HAS_TEXTURES", "HAS_MESH_TEXTURES"): ("texture.cl", "texture_coordinates.cl", "filtering/"),
@@ -112,7 +112,7 @@ def main():
         names |= difference.LEARNT.get(number, {})
         names.pop("PACKETS", None)
         pages.compare(before, stage, names)
-        if number == 8:  # the last one for one ray
+        if number == 8:  # the last one whose struct Scene is not in memory
             for without in SERVES:
                 pages.compare(before, stage, names, without)
     return 1 if pages.wrong else 0

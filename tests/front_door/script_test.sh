@@ -111,6 +111,27 @@ test_unknown_stage() {
     [[ ! -e $log ]] || fail "set-up began before the stage was known:" "$(<"$log")"
 }
 
+test_old_stage_names() {
+    local command now="the full tracer is stage 11 now"
+    for command in run show "diff 04" step exercise "exercise prove" "golden update"; do
+        # shellcheck disable=SC2086 # a command may be two words
+        stagelight $command 10_full_tracer
+        expect_equal "exit code of $command" 2 $code
+        expect_equal "message of $command" "stagelight: 10_full_tracer: $now: 11_full_tracer" "$errors"
+    done
+    stagelight run 09_acceleration --depth 3
+    expect_equal "exit code" 2 $code
+    expect_equal "message" "stagelight: 09_acceleration: acceleration is two stages now: 09_tree and 10_packets" \
+        "$errors"
+    stagelight run 01 scenes/10_glass.toml
+    expect_equal "exit code of a scene" 2 $code
+    expect_equal "message" "stagelight: scenes/10_glass.toml: $now: scenes/11_glass.toml" "$errors"
+    [[ ! -e $log ]] || fail "set-up began before the name was refused:" "$(<"$log")"
+    : >"$scratch/10_full_tracer.toml"
+    stagelight run 10_full_tracer.toml
+    expect_equal "a file of the user's own" "04_last in $scratch: '10_full_tracer.toml'" "$output"
+}
+
 test_run_builds_one_stage_and_passes_everything() {
     stagelight run 01 "a scene.toml" --size 32x20
     expect_equal "exit code is the program's" 7 $code

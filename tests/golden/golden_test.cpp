@@ -105,12 +105,12 @@ TEST(Spread, SaysWhatIsTooLoose) {
 }
 
 // However many rays run side by side. Not on rusticl, which takes minutes to build what is wide.
-TEST(Width, Stage10EachMatchesGolden) {
+TEST(Width, Stage11EachMatchesGolden) {
     const std::string &device = devices.front();
     if (is_rusticl(device)) {
         GTEST_SKIP() << "rusticl takes minutes to build what is wide";
     }
-    for (const char *stage : {"09", "10"}) {
+    for (const char *stage : {"10", "11"}) {
         for (const GoldenScene &scene : scenes_of(stage)) {
             const stagelight::Golden golden = read_golden(scene.golden);
             for (const char *width : {"1", "4", "8", "16"}) {
@@ -130,8 +130,8 @@ TEST(InteriorPaper, Stage04DeviceMatchesReference) {
 }
 
 // Fresnel's equations, in the room.
-TEST(FresnelExact, Stage10DeviceMatchesReference) {
-    expect_method_matches(scenes_of("10").front(), {{"fresnel", "exact"}});
+TEST(FresnelExact, Stage11DeviceMatchesReference) {
+    expect_method_matches(scenes_of("11").front(), {{"fresnel", "exact"}});
 }
 
 // The paper's power for textures, where they fill the picture.

@@ -28,7 +28,7 @@ std::vector<Variant> variants_of(const GoldenScene &scene) {
     for (const char *math : {"mad", "relaxed"}) {
         variants.push_back({pocl, {{"math", math}}});
     }
-    if (stage_number(scene.stage) >= acceleration_stage) {
+    if (stage_number(scene.stage) >= packet_stage) {
         for (const char *width : {"1", "4", "8", "16"}) {
             variants.push_back({pocl, {{"width", width}}});
         }

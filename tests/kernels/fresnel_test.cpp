@@ -5,12 +5,12 @@
 namespace stagelight {
 namespace {
 
-using KernelsStage10Fresnel = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, KernelsStage10Fresnel, each_device(), device_name);
+using KernelsStage11Fresnel = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage11Fresnel, each_device(), device_name);
 
 const Methods exact{{"fresnel", "exact"}};
 
-TEST_P(KernelsStage10Fresnel, ReflectanceMatchesDouble) {
+TEST_P(KernelsStage11Fresnel, ReflectanceMatchesDouble) {
     reference::Dice dice;
     std::vector<float> cosines, iors;
     for (int i = 0; i < 4096; ++i) {
@@ -37,7 +37,7 @@ TEST_P(KernelsStage10Fresnel, ReflectanceMatchesDouble) {
 // half of
 // ((n² - 1) / (n² + 1))². Equal indices reflect nothing, and a cosine rounded past its end is no
 // NaN.
-TEST_P(KernelsStage10Fresnel, SpecialAnglesAreWhatTheClosedFormSays) {
+TEST_P(KernelsStage11Fresnel, SpecialAnglesAreWhatTheClosedFormSays) {
     std::vector<float> cosines, iors, expected;
     const auto add = [&](double cosine, double ior, double share) {
         cosines.push_back(float(cosine));

@@ -127,11 +127,11 @@ TEST_P(KernelsStage02Light, RaysOfAllWorkItemsAreCounted) {
     EXPECT_EQ(row.dropped, sum.dropped);
 }
 
-using KernelsStage10Counts = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, KernelsStage10Counts, each_device(), device_name);
+using KernelsStage11Counts = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage11Counts, each_device(), device_name);
 
 // The rays are summed, of the weights the largest is kept: a row has many pixels.
-TEST_P(KernelsStage10Counts, KeepTheLargestFadedWeight) {
+TEST_P(KernelsStage11Counts, KeepTheLargestFadedWeight) {
     std::vector<device::RayCounts> counts;
     for (device::uint i = 0; i < 4096; ++i) {
         counts.push_back({0, 0, 0, 0, i % 3, i % 3 == 0 ? 0U : (i * 7919) % 4096});

@@ -40,7 +40,8 @@ __kernel void stack(__global int4 *results, __global const int *depths) {
     results[i] = (int4)(order, traced, counts.dropped, primary_depth);
 }
 
-// Traced, dropped, faded, and their weight: what becomes of one ray of that weight, and of depth in w.
+// Traced, dropped, faded, and their weight: what becomes of one ray of that weight, and of depth in
+// w.
 __kernel void faded(__global uint4 *results, __global const float4 *weights) {
     const size_t i = get_global_id(0);
     const Ray primary = {(float3)(0.0f), (float3)(0.0f, 0.0f, 1.0f)};

@@ -108,12 +108,12 @@ TEST_P(KernelsStage03Reflection, AMirrorSpawnsOneDeeperRay) {
     EXPECT_EQ(results[2][0].x, 10) << "one dropped beyond the depth limit, none reflected";
 }
 
-using KernelsStage10Faded = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, KernelsStage10Faded, each_device(), device_name);
+using KernelsStage11Faded = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage11Faded, each_device(), device_name);
 
 // Below 1/1024 in each channel a ray is not traced, however deep it is, and its largest channel is
 // added up in units of 2^-24, rounded up. Stages that know no such limit trace what weighs nothing.
-TEST_P(KernelsStage10Faded, RaysAreNotTracedButWeighed) {
+TEST_P(KernelsStage11Faded, RaysAreNotTracedButWeighed) {
     const float limit = 1.0F / 1024, below = std::nextafter(limit, 0.0F);
     const std::vector<vec4> weights{{1, 1, 1, 0},
                                     {0, limit, 0, 1},

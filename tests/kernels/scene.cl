@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What rays and lines find in a whole scene.
-#include "any_hit.cl"
+#include "each_shape.cl"
 #include "closest_hit.cl"
+#include "any_hit.cl"
 #include "surface.cl"
 #include "diffuse.cl"
 

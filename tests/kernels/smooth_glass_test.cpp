@@ -7,8 +7,8 @@ namespace {
 
 using glm::dvec3, glm::vec2, glm::vec3, glm::vec4;
 
-using KernelsStage10SmoothGlass = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, KernelsStage10SmoothGlass, each_device(), device_name);
+using KernelsStage11SmoothGlass = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage11SmoothGlass, each_device(), device_name);
 
 const SceneNeeds with_glass_mesh{{"HAS_DIELECTRIC", 1},
                                  {"HAS_DIELECTRIC_MESH", 1},
@@ -42,7 +42,7 @@ struct LeaningNormals {
     }
 };
 
-TEST_P(KernelsStage10SmoothGlass, InterfacesMatchDouble) {
+TEST_P(KernelsStage11SmoothGlass, InterfacesMatchDouble) {
     const LeaningNormals cases;
     const auto results = build("optics.cl", with_glass_mesh)
                              .run<vec4>("smooth_interfaces", cases.directions, cases.normals,

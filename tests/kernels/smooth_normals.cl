@@ -3,15 +3,15 @@
 #include "reflection.cl"
 #include "triangle.cl"
 
-// In 0 to 2 the normal where the second and third corner have these weights; in 4 to 6 how it mirrors.
+// In 0 to 2 the normal where the second and third corner have these weights; in 4 to 6 how it
+// mirrors.
 __kernel void smooth_normals(__global float8 *results, __global const float4 *weights,
                              __global const float4 *directions, __global const Triangle *triangles,
-                             __global const Facet *facets,
-                             __global const float4 *normals) {
+                             __global const Single4 *corners, __global const Single4 *normals) {
     const size_t i = get_global_id(0);
     Scene scene;
     scene.triangles = triangles;
-    scene.facets = facets;
+    scene.triangle_corners = corners;
     scene.vertex_normals = normals;
     Hit hit;
     hit.index = (int)i;
@@ -19,6 +19,5 @@ __kernel void smooth_normals(__global float8 *results, __global const float4 *we
     Surface surface;
     fetch_triangle(&surface, &scene, hit);
     finish_triangle(&surface);
-    results[i] =
-        (float8)(surface.normal, 0.0f, reflect(directions[i].xyz, surface.normal), 0.0f);
+    results[i] = (float8)(surface.normal, 0.0f, reflect(directions[i].xyz, surface.normal), 0.0f);
 }

@@ -18,6 +18,6 @@ static float2 paper(const float3 normal) {
 __kernel void sphere_maps(__global float8 *results, __global const float4 *normals) {
     const size_t i = get_global_id(0);
     const float3 normal = normals[i].xyz;
-    results[i] = (float8)(sphere_texture_coordinates(normal), unclamped(normal), paper(normal),
-                          0.0f, 0.0f);
+    results[i] =
+        (float8)(sphere_texture_coordinates(normal), unclamped(normal), paper(normal), 0.0f, 0.0f);
 }

@@ -32,7 +32,7 @@ expect_report() {
 
 expect_report "Invalid write of size 16" "$primitives" "$spheres" kernels/picture.cl \
     's/image\[pixel.y \*/image[1 + pixel.y */'
-expect_report "Invalid read of size" "$primitives" "$spheres" kernels/closest_hit.cl \
+expect_report "Invalid read of size" "$primitives" "$spheres" kernels/each_shape.cl \
     's/i < scene->sphere_count/i <= scene->sphere_count/'
 expect_report "Write-write data race" "$primitives" "$spheres" kernels/picture.cl \
     's/image\[pixel.y \* width + pixel.x\]/image[pixel.y]/'

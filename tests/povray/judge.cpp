@@ -34,8 +34,8 @@ Scene scene_in_common(const std::filesystem::path &file) {
 std::vector<golden::GoldenScene> judged_scenes() {
     std::vector<golden::GoldenScene> scenes = golden::all_scenes();
     const std::filesystem::path tests = std::filesystem::path(STAGELIGHT_SOURCE_DIR) / "tests";
-    scenes.push_back({.name = "10_glass_cube",
-                      .stage = "10_full_tracer",
+    scenes.push_back({.name = "11_glass_cube",
+                      .stage = "11_full_tracer",
                       .scene = tests / "oclgrind" / "glass_cube.toml",
                       .golden = {}});
     return scenes;

@@ -9,9 +9,10 @@ import sys
 
 KERNEL_FILES = ("kernels/**/*.cl", "kernels/*.inc", "kernels/*.h", "stages/*/kernel.cl", "tests/kernels/*.cl")
 # Where a "/" divides numbers of the scene. Elsewhere it divides constants or counts.
-DIVIDE = ("beam", "dielectric", "fresnel/exact", "fresnel/schlick", "light", "plane", "sphere", "texture_coordinates",
-          "triangle", "wide_hit", "wide_light", "wide_sphere", "wide_triangle", "packets/normalise/exact",
-          "packets/sphere/haines", "packets/triangle/woop")
+DIVIDE = ("dielectric", "fresnel/exact", "fresnel/schlick", "light", "plane", "sphere", "sphere/haines",
+          "texture_coordinates", "tree", "triangle", "triangle/woop", "packets/beam", "packets/box", "packets/hit",
+          "packets/light", "packets/normalise/exact", "packets/sphere", "packets/sphere/haines", "packets/triangle",
+          "packets/triangle/woop")
 # One unit in the last place of 1, so at most two of any number.
 OFF = "(1.0f + 1.1920929e-7f)"
 FUNCTIONS = ("sqrt", "rsqrt", "exp", "length", "normalize", "asin", "atan2")

@@ -6,7 +6,7 @@
 namespace stagelight::reference {
 namespace {
 
-TEST(ReferenceStage10Glass, ASlabBendsSplitsAndAbsorbs) {
+TEST(ReferenceStage11Glass, ASlabBendsSplitsAndAbsorbs) {
     for (const double angle : {0.0, 0.4, 0.9, 1.3}) {
         const GlassSlab slab{.angle = angle};
         const auto along = ray(slab.eye(), slab.direction());
@@ -16,7 +16,7 @@ TEST(ReferenceStage10Glass, ASlabBendsSplitsAndAbsorbs) {
     }
 }
 
-TEST(ReferenceStage10Fresnel, IsTheClosedFormAtSpecialAngles) {
+TEST(ReferenceStage11Fresnel, IsTheClosedFormAtSpecialAngles) {
     for (const double n : {1.01, 1.5, 2.42}) {
         EXPECT_NEAR(fresnel(1.0, n, 1.0, 1.0), std::pow((n - 1) / (n + 1), 2), 1e-15);
         EXPECT_EQ(fresnel(1.0, n, 0.0, std::sqrt(1 - 1 / (n * n))), 1) << "grazing";
@@ -33,7 +33,7 @@ TEST(ReferenceStage10Fresnel, IsTheClosedFormAtSpecialAngles) {
 }
 
 // Twice as fine a mesh is nearer to the sphere: its facets by four, its rim by two.
-TEST(ReferenceStage10Glass, AFinerBallIsNearerToTheSphere) {
+TEST(ReferenceStage11Glass, AFinerBallIsNearerToTheSphere) {
     const Settings settings{.width = 48, .height = 48};
     const auto truth = render<double>(glass_ball(), settings).image.pixels;
     double before = 0.01;
@@ -48,7 +48,7 @@ TEST(ReferenceStage10Glass, AFinerBallIsNearerToTheSphere) {
 
 // G is up, and N leans by 60 degrees to +x: at 30 degrees from G the ray runs at right angles to N.
 // On the way there what is transmitted fades, and beyond nothing is, from either side.
-TEST(ReferenceStage10Smooth, ANormalTurnedAwayReflectsAll) {
+TEST(ReferenceStage11Smooth, ANormalTurnedAwayReflectsAll) {
     const dvec3 n(std::sqrt(0.75), 0.5, 0);
     for (const double index : {1.01, 1.5, 0.7}) {
         Scene scene;
@@ -73,7 +73,7 @@ TEST(ReferenceStage10Smooth, ANormalTurnedAwayReflectsAll) {
 }
 
 // What leaves glass by a leaning normal may come out above the facet: it is mirrored beneath.
-TEST(ReferenceStage10Smooth, WhatIsTransmittedGoesBeneathTheFacet) {
+TEST(ReferenceStage11Smooth, WhatIsTransmittedGoesBeneathTheFacet) {
     const dvec3 g(0, 1, 0);
     expect_near(beneath(dvec3(0.6, 0.8, 0), g), {0.6, -0.8, 0}, 1e-15);
     expect_near(beneath(dvec3(0.6, -0.8, 0), g), {0.6, -0.8, 0}, 0);

@@ -22,8 +22,8 @@ Names operator+(Names names, const Names &more) {
 // What every kernel has, and what comes with a scene's parts.
 const Names picture{"image", "camera", "background"};
 const Names shaded{"image", "camera", "background", "ray_counts", "materials"};
-const Names mesh{"triangles", "vertex_positions", "vertex_normals"};
-const Names tree{"triangles", "facets", "vertex_normals", "bvh_nodes"};
+const Names mesh{"triangles", "triangle_corners", "vertex_normals"};
+const Names tree{"triangles", "triangle_corners", "vertex_normals", "bvh_nodes"};
 // In the arguments themselves: no buffer.
 const Names values{"camera",      "background",  "sphere_count",
                    "plane_count", "light_count", "triangle_count"};
@@ -64,9 +64,8 @@ Sizes sizes_of(const Scene &scene, const Names &parts, std::size_t texel) {
                 {"materials", scene.materials.size() * 64},
                 {"lights", scene.lights.size() * 64},
                 {"triangles", scene.triangles.size() * 16},
-                {"facets", scene.triangles.size() * 36},
-                {"bvh_nodes", build_bvh(scene).nodes.size() * 4},
-                {"vertex_positions", vertices * 16},
+                {"triangle_corners", scene.triangles.size() * 48},
+                {"bvh_nodes", build_bvh(scene).nodes.size() * 128},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
                 {"textures", scene.textures.size() * width * height * texel}};
@@ -120,8 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
                                                     "vertex_texture_coordinates"}},
-            DefaultScene{"09_acceleration", shaded + tree + Names{"spheres", "planes", "lights"}},
-            DefaultScene{"10_full_tracer", shaded + tree
+            DefaultScene{"09_tree", shaded + tree + Names{"spheres", "planes", "lights"}},
+            DefaultScene{"10_packets", shaded + tree + Names{"spheres", "planes", "lights"}},
+            DefaultScene{"11_full_tracer", shaded + tree
                                                + Names{"spheres", "planes", "lights", "textures",
                                                        "vertex_texture_coordinates"}}),
         each_device()),
@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
     Stages, Earlier,
     testing::Combine(testing::Values("01_primitives", "02_shading_shadows", "03_reflection_glossy",
                                      "04_refraction_beer", "05_meshes", "06_textures", "08_gamma",
-                                     "09_acceleration", "10_full_tracer"),
+                                     "09_tree", "10_packets", "11_full_tracer"),
                      each_device()),
     [](const auto &scene) {
         return "Stage" + std::get<0>(scene.param) + "_" + name_in_tests(std::get<1>(scene.param));

@@ -25,7 +25,7 @@ protected:
     }
     // With the tree and by trying all, and by the reference.
     void expect_same_as(const Scene &good) const {
-        for (const char *stage : {"09_acceleration", "05_meshes"}) {
+        for (const char *stage : {"09_tree", "05_meshes"}) {
             EXPECT_EQ(draw(stage, scene).image.pixels, draw(stage, good).image.pixels) << stage;
         }
         const Settings settings{.width = 65, .height = 65, .max_depth = 4};
@@ -71,7 +71,7 @@ TEST_P(Stage09BadTriangles, ThatAreSplintersGiveNumbers) {
         add_triangle(scene, {at, dice.direction(), {}}, {at + along, dice.direction(), {}},
                      {at + dice.between(0, 2) * along + aside, dice.direction(), {}}, i % 2);
     }
-    for (const glm::vec3 &pixel : draw("09_acceleration", scene).image.pixels) {
+    for (const glm::vec3 &pixel : draw("09_tree", scene).image.pixels) {
         ASSERT_TRUE(pixel.x >= 0 && pixel.y >= 0 && pixel.z >= 0) << pixel.x << ' ' << pixel.y;
         ASSERT_LT(pixel.x + pixel.y + pixel.z, 1e3);
     }
@@ -83,7 +83,7 @@ TEST(Stage09Tree, OfAMillionTrianglesInOnePlaceIsShallow) {
     add_flat_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0);
     scene.triangles.resize(1000000, scene.triangles.front());
     const Bvh bvh = build_bvh(scene);
-    EXPECT_EQ(bvh.order.size(), scene.triangles.size());
+    EXPECT_EQ(bvh.triangles.size(), scene.triangles.size());
     EXPECT_LE(bvh.stack_size, 3 * 18 + 1) << "1000000 / 8 leaves, by halves";
 }
 

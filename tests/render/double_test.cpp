@@ -47,29 +47,29 @@ TEST(Stage03Double, IsRightToTheFloatOfThePicture) {
     expect_right("03_reflection_glossy");
 }
 
-TEST(Stage10Double, IsRightToTheFloatOfThePicture) {
+TEST(Stage11Double, IsRightToTheFloatOfThePicture) {
     if (!has_doubles(implementations.front())) {
         GTEST_SKIP() << implementations.front() << " has no doubles";
     }
-    expect_right("10_full_tracer");
+    expect_right("11_full_tracer");
     // Rays that are bent five times take what memory has rounded of sphere and glass far.
     const Methods in_glass{{"math", "fp64"},
                            {"depth", "fixed"},
                            {"normalise", "native"},
                            {"transmission", "native_exp"},
                            {"width", "4"}};
-    EXPECT_LT(worst("10_full_tracer", "04_interior.toml", in_glass), 4e-4);
-    EXPECT_GT(worst("10_full_tracer", "04_interior.toml", {{"depth", "fixed"}}), 4e-4);
+    EXPECT_LT(worst("11_full_tracer", "04_interior.toml", in_glass), 4e-4);
+    EXPECT_GT(worst("11_full_tracer", "04_interior.toml", {{"depth", "fixed"}}), 4e-4);
 }
 
-TEST(Stage10Double, IsNamedWhereTheDeviceLacksIt) {
+TEST(Stage11Double, IsNamedWhereTheDeviceLacksIt) {
     const char *without = implementations.back();
     if (asked_device != nullptr && has_doubles(without)) {
         GTEST_SKIP() << without << " has doubles";
     }
     try {
         if (asked_device == nullptr) {
-            worst("10_full_tracer", "02_lights.toml", {{"math", "fp64"}});
+            worst("11_full_tracer", "02_lights.toml", {{"math", "fp64"}});
         }
         const cl::Device device = choose_device(without);
         ASSERT_FALSE(has_doubles(without)) << "it has: this test needs another";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 10: how deep rays go, and what is lost with those that have faded.
+// Stage 11: how deep rays go, and what is lost with those that have faded.
 #include "render/on_each_device.h"
 #include "scene/brightest.h"
 #include "scene/scene_file.h"
@@ -7,14 +7,14 @@
 namespace stagelight::render {
 namespace {
 
-class Stage10Fading : public OnEachDevice {};
-INSTANTIATE_TEST_SUITE_P(Devices, Stage10Fading, each_device(), device_name);
+class Stage11Fading : public OnEachDevice {};
+INSTANTIATE_TEST_SUITE_P(Devices, Stage11Fading, each_device(), device_name);
 
-constexpr auto stage = "10_full_tracer";
+constexpr auto stage = "11_full_tracer";
 
 // Between mirrors that face each other a ray keeps half of its weight at each bounce: after the
 // twelfth it has 1/4096, and is still traced; the thirteenth is not.
-TEST_P(Stage10Fading, EndsTheRayBelowOnePartIn4096) {
+TEST_P(Stage11Fading, EndsTheRayBelowOnePartIn4096) {
     Scene scene = one_pixel({0, 0, 0}, {0, 0, -1});
     scene.max_depth = 64;
     add_plane(scene, {0, 0, 1}, {0, 0, -1}, mirror({0.5, 0.3, 0.1}));
@@ -24,18 +24,18 @@ TEST_P(Stage10Fading, EndsTheRayBelowOnePartIn4096) {
     EXPECT_EQ(rays.faded, 1u);
     EXPECT_EQ(rays.dropped, 0u);
     EXPECT_DOUBLE_EQ(rays.faded_weight, 1.0 / 8192);
-    EXPECT_EQ(draw("09_acceleration", scene).rays.faded, 0u);
+    EXPECT_EQ(draw("10_packets", scene).rays.faded, 0u);
 }
 
-// Stage 09 traces what stage 10 leaves out.
-TEST_P(Stage10Fading, StaysWithinItsBound) {
+// Stage 10 traces what stage 11 leaves out.
+TEST_P(Stage11Fading, StaysWithinItsBound) {
     for (const char *name : {"03_reflection_glossy", "04_interior", "07_interop"}) {
         Scene scene = load_scene(std::string(STAGELIGHT_SOURCE_DIR) + "/scenes/" + name + ".toml");
         scene.width = 80;
         scene.height = 48;
         RenderSettings settings = settings_of(scene);
         settings.methods = {{"decode", "2.2"}};
-        const Frame whole = renderer("09_acceleration", scene, settings).render();
+        const Frame whole = renderer("10_packets", scene, settings).render();
         const Frame faded = renderer(stage, scene, settings).render();
         const double bound = faded.rays.faded_weight * brightest(scene);
         double worst = 0;
@@ -59,28 +59,28 @@ Scene of(const Material &material) {
 }
 
 // The largest n for which share^n is 1/4096 or more.
-TEST(Stage10Depth, IsWhatTheMaterialsNeed) {
-    EXPECT_EQ(depth_of(Scene{}, 10), 0);
-    EXPECT_EQ(depth_of(of(diffuse({1, 1, 1})), 10), 0);
-    EXPECT_EQ(depth_of(of(glossy({1, 1, 1}, 0)), 10), 0);
-    EXPECT_EQ(depth_of(of(glossy({1, 0.5, 0.5}, 0.5)), 10), 12);
-    EXPECT_EQ(depth_of(of(glossy({0.5, 0.1, 0.3}, 0.5)), 10), 6);
-    EXPECT_EQ(depth_of(of(mirror({0.1, 0.125, 0.1})), 10), 4);
-    EXPECT_EQ(depth_of(of(glass({0.25, 0, 0}, 1.5, {})), 10), 6);
-    EXPECT_EQ(depth_of(of(mirror({0, 0, 0.8})), 10), 16) << "37, but no more than 16";
-    EXPECT_EQ(depth_of(of(glass({1, 0, 0}, 1.5, {})), 10), 8) << "they bound nothing";
+TEST(Stage11Depth, IsWhatTheMaterialsNeed) {
+    EXPECT_EQ(depth_of(Scene{}, 11), 0);
+    EXPECT_EQ(depth_of(of(diffuse({1, 1, 1})), 11), 0);
+    EXPECT_EQ(depth_of(of(glossy({1, 1, 1}, 0)), 11), 0);
+    EXPECT_EQ(depth_of(of(glossy({1, 0.5, 0.5}, 0.5)), 11), 12);
+    EXPECT_EQ(depth_of(of(glossy({0.5, 0.1, 0.3}, 0.5)), 11), 6);
+    EXPECT_EQ(depth_of(of(mirror({0.1, 0.125, 0.1})), 11), 4);
+    EXPECT_EQ(depth_of(of(glass({0.25, 0, 0}, 1.5, {})), 11), 6);
+    EXPECT_EQ(depth_of(of(mirror({0, 0, 0.8})), 11), 16) << "37, but no more than 16";
+    EXPECT_EQ(depth_of(of(glass({1, 0, 0}, 1.5, {})), 11), 8) << "they bound nothing";
     Scene unused = of(diffuse({1, 1, 1}));
     add_material(unused, mirror({1, 1, 1}));
-    EXPECT_EQ(depth_of(unused, 10), 0);
+    EXPECT_EQ(depth_of(unused, 11), 0);
 }
 
-TEST(Stage10Depth, IsElseTheFiles) {
+TEST(Stage11Depth, IsElseTheFiles) {
     Scene scene = of(glossy({0.5, 0.1, 0.3}, 0.5));
-    EXPECT_EQ(depth_of(scene, 9), 8);
+    EXPECT_EQ(depth_of(scene, 10), 8);
     scene.max_depth = 40;
     scene.has_max_depth = true;
-    EXPECT_EQ(depth_of(scene, 9), 40);
     EXPECT_EQ(depth_of(scene, 10), 40);
+    EXPECT_EQ(depth_of(scene, 11), 40);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 10: glass of any closed shape, against answers worked out by hand and against the sphere.
+// Stage 11: glass of any closed shape, against answers worked out by hand and against the sphere.
 #include "reference/glass_slab.h"
 #include "reference/reference.h"
 #include "render/on_each_device.h"
@@ -8,13 +8,13 @@
 namespace stagelight::render {
 namespace {
 
-class Stage10Glass : public OnEachDevice {};
-INSTANTIATE_TEST_SUITE_P(Devices, Stage10Glass, each_device(), device_name);
+class Stage11Glass : public OnEachDevice {};
+INSTANTIATE_TEST_SUITE_P(Devices, Stage11Glass, each_device(), device_name);
 
-constexpr auto stage = "10_full_tracer";
+constexpr auto stage = "11_full_tracer";
 
-// Off by no more than what faded (stage 10 says how much that may be) and a few roundings.
-TEST_P(Stage10Glass, ASlabBendsSplitsAndAbsorbs) {
+// Off by no more than what faded (stage 11 says how much that may be) and a few roundings.
+TEST_P(Stage11Glass, ASlabBendsSplitsAndAbsorbs) {
     for (const double angle : {0.0, 0.4, 0.9, 1.3}) {
         const GlassSlab slab{.angle = angle};
         Scene scene = slab.scene();
@@ -31,7 +31,7 @@ TEST_P(Stage10Glass, ASlabBendsSplitsAndAbsorbs) {
 }
 
 // The mesh is drawn as the reference draws it, off the edges, and both are near to the sphere.
-TEST_P(Stage10Glass, AFineBallIsNearTheSphere) {
+TEST_P(Stage11Glass, AFineBallIsNearTheSphere) {
     const Scene ball = glass_ball(64);
     const reference::Settings settings{.width = ball.width, .height = ball.height};
     const Image picture = draw(stage, ball).image;

@@ -13,7 +13,7 @@ TEST(Stage08Methods, DecodeAndEncodeFromThereOn) {
         EXPECT_EQ(decode_of(stage, decode_chosen), Transfer::none) << stage;
         EXPECT_EQ(encode_of(stage, encode_chosen), Transfer::none) << stage;
     }
-    for (int stage = 8; stage <= 10; ++stage) {
+    for (int stage = 8; stage <= 11; ++stage) {
         EXPECT_EQ(decode_of(stage, {}), Transfer::srgb) << stage;
         EXPECT_EQ(encode_of(stage, {}), Transfer::srgb) << stage;
         EXPECT_EQ(decode_of(stage, decode_chosen), Transfer::power) << stage;

@@ -9,14 +9,14 @@
 namespace stagelight {
 namespace {
 
-TEST(Stage10Samples, AloneIsThePixelsCentre) {
+TEST(Stage11Samples, AloneIsThePixelsCentre) {
     const auto [x, y] = sample_point(0, 1).s;
     EXPECT_EQ(x, 0.5F);
     EXPECT_EQ(y, 0.5F);
 }
 
 // N samples lie one in each of N columns, and one in each of N rows.
-TEST(Stage10Samples, AreOneInEachStratum) {
+TEST(Stage11Samples, AreOneInEachStratum) {
     for (const int count : {1, 2, 3, 4, 5, 6, 7, 16, 31, 64, 100, 1000, 65536}) {
         std::set<int> columns, rows;
         for (int i = 0; i < count; ++i) {
@@ -31,7 +31,7 @@ TEST(Stage10Samples, AreOneInEachStratum) {
 }
 
 // Of a power of two, every grid of as many cells has one sample in each, whatever its shape.
-TEST(Stage10Samples, FillEveryGridOfPowersOfTwo) {
+TEST(Stage11Samples, FillEveryGridOfPowersOfTwo) {
     constexpr int count = 64;
     for (int across = 1; across <= count; across *= 2) {
         std::set<int> cells;

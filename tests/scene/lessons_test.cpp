@@ -119,7 +119,7 @@ TEST(Lessons, TexturesAreTheSixth) {
 TEST(Lessons, RefractionInMeshesIsTheTenth) {
     EXPECT_EQ(told(triangle_of(MaterialType::dielectric)),
               (Lines{"4 dielectric material a.toml:20:1", "5 mesh a.toml:6:1",
-                     "10 dielectric mesh a.toml:6:1"}));
+                     "11 dielectric mesh a.toml:6:1"}));
 }
 
 TEST(Lessons, GlassBesideAMeshIsNotRefractionInIt) {
@@ -136,13 +136,13 @@ TEST(Lessons, AStageRefusesWhatItHasNotLearnt) {
               "04_refraction_beer is the first stage that can draw it");
     EXPECT_NE(message_of([&] { require_learnt(scene, 3); }), "");
     EXPECT_EQ(message_of([&] { require_learnt(scene, 4); }), "");
-    EXPECT_EQ(message_of([&] { require_learnt(scene, 10); }), "");
+    EXPECT_EQ(message_of([&] { require_learnt(scene, 11); }), "");
 }
 
 TEST(Lessons, OfSeveralLessonsTheLastIsNamed) {
     EXPECT_EQ(message_of([&] { require_learnt(triangle_of(MaterialType::dielectric), 1); }),
               "a.toml:6:1: a dielectric mesh: 01_primitives has not learnt that yet; "
-              "10_full_tracer is the first stage that can draw it");
+              "11_full_tracer is the first stage that can draw it");
 }
 
 TEST(Lessons, StagesAreNamedInOrder) {

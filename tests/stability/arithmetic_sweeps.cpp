@@ -47,8 +47,8 @@ TEST_P(StabilityStage01Normalise, LongAndShort) {
                  .stated = "lengths from 1e-18 to 1e18"},
                 GetParam());
     for (const std::string method : {"exact", "native"}) {
-        const auto units =
-            build("arithmetic.cl", {}, {{"normalise", method}}).run<Units>("units", vectors);
+        const auto units = build("arithmetic.cl", {{"WIDTH", 4}}, {{"normalise", method}})
+                               .run<Units>("units", vectors);
         for (std::size_t i = 0; i < units.size(); ++i) {
             const Exact truth = glm::normalize(Exact(vectors[i]));
             sweep.add(method, x[i], double(glm::distance(Exact(units[i].one), truth)));
@@ -87,8 +87,8 @@ TEST_P(StabilityStage01Math, RootsOfDifferences) {
                  .stated = "to no difference at all"},
                 GetParam());
     for (const char *method : maths) {
-        const auto sides =
-            build("arithmetic.cl", {}, {{"math", method}}).run<float>("other_sides", longest, side);
+        const auto sides = build("arithmetic.cl", {{"WIDTH", 4}}, {{"math", method}})
+                               .run<float>("other_sides", longest, side);
         for (std::size_t i = 0; i < sides.size(); ++i) {
             const Real a = longest[i], b = side[i];
             const Real truth = std::sqrt((a - b) * (a + b));
@@ -125,7 +125,7 @@ TEST_P(StabilityStage01Math, Misses) {
                  .stated = "to 1e-4 of the radius"},
                 GetParam());
     for (const char *method : maths) {
-        const auto distances = build("arithmetic.cl", {}, {{"math", method}})
+        const auto distances = build("arithmetic.cl", {{"WIDTH", 4}}, {{"math", method}})
                                    .run<float>("spheres", origins, directions);
         for (std::size_t i = 0; i < distances.size(); ++i) {
             sweep.add(method, x[i], distances[i] == -1 ? 0 : 1);
@@ -138,7 +138,7 @@ TEST_P(StabilityStage01Math, Misses) {
 TEST_P(StabilityStage01Math, WhatIsNotANumber) {
     for (const char *method : maths) {
         const auto choices =
-            build("arithmetic.cl", {}, {{"math", method}})
+            build("arithmetic.cl", {{"WIDTH", 4}}, {{"math", method}})
                 .run<vec4>("choices", std::vector{not_a_number, 2.0F}, std::vector{1.0F, 1.0F});
         EXPECT_EQ(vec3(choices[0]), vec3(1, 1, 0)) << method;
         EXPECT_EQ(choices[1], vec4(1, 2, 1, 1)) << method;

@@ -10,7 +10,7 @@
 #include "kernels/on_device.h"
 #include "reference/intersect.h"
 #include "reference/scenes.h"
-#include "stability/facets.h"
+#include "stability/leaf_triangles.h"
 #include "stability/sweep.h"
 
 namespace stagelight::stability {
@@ -19,19 +19,18 @@ namespace {
 using glm::dvec3, glm::ivec4, glm::vec3, glm::vec4;
 using reference::Dice;
 
-// BvhNode of four children, all but the first empty.
-using Node = std::array<float, 32>;
+using device::BvhNode;
 
-// As common/device/bvh.cpp makes it, which leaves no room for methods that have none for rays.
-Node node_around(const Corners &corners, bool has_room) {
+// As common/device/bvh.cpp makes it; all children but the first are empty.
+BvhNode node_around(const Corners &corners, bool padded) {
     const vec3 low(glm::min(corners[0], glm::min(corners[1], corners[2])));
     const vec3 high(glm::max(corners[0], glm::max(corners[1], corners[2])));
     const vec3 largest = glm::max(glm::abs(low), glm::abs(high));
-    const float room = has_room ? SLAB_ROOM * std::max({largest.x, largest.y, largest.z}) : 0;
-    Node node{};
+    const float padding = padded ? SLAB_PADDING * std::max({largest.x, largest.y, largest.z}) : 0;
+    BvhNode node{};
     for (int axis = 0; axis < 3; ++axis) {
-        node[std::size_t(4 * axis)] = low[axis] - room;
-        node[std::size_t(4 * (axis + 3))] = high[axis] + room;
+        node.planes[axis].s[0] = low[axis] - padding;
+        node.planes[axis + 3].s[0] = high[axis] + padding;
     }
     return node;
 }
@@ -56,11 +55,11 @@ struct Cases {
 };
 
 // The share of the rays that are said not to be in the box.
-void measure(Sweep &sweep, const std::string &series, bool has_room, DeviceProgram program,
+void measure(Sweep &sweep, const std::string &series, bool padded, DeviceProgram program,
              const Cases &cases) {
-    std::vector<Node> nodes;
+    std::vector<BvhNode> nodes;
     for (const Corners &triangle : cases.triangles) {
-        nodes.push_back(node_around(triangle, has_room));
+        nodes.push_back(node_around(triangle, padded));
     }
     const auto entered = program.run<int>("enter_all_ways", cases.origins, cases.directions, nodes);
     std::map<double, std::pair<double, double>> lost;
@@ -76,11 +75,7 @@ void measure(Sweep &sweep, const std::string &series, bool has_room, DeviceProgr
 }
 
 SceneNeeds with_tree(int width) {
-    return {{"HAS_TRIANGLES", 1},
-            {"HAS_TREE", 1},
-            {"WIDTH", width},
-            {"BVH_WIDTH", 4},
-            {"BVH_STACK_SIZE", 1}};
+    return {{"HAS_TRIANGLES", 1}, {"HAS_TREE", 1}, {"WIDTH", width}, {"BVH_STACK_SIZE", 1}};
 }
 
 Question about(const char *name, const char *title, const char *x_label, const char *stated) {
@@ -98,14 +93,15 @@ protected:
     static void measure_all(Sweep &sweep, const Cases &cases) {
         for (const char *method : {"robust", "ordered"}) {
             measure(sweep, method, method == std::string("robust"),
-                    build("boxes.cl", with_tree(1), {{"box", method}}), cases);
+                    build("tree.cl", with_tree(1), {{"box", method}}), cases);
         }
         if (!on_rusticl()) {  // which takes three seconds to build it
-            measure(sweep, "robust, width=4", true, build("boxes.cl", with_tree(4)), cases);
+            measure(sweep, "robust, width=4", true, build("packet_boxes_beside.cl", with_tree(4)),
+                    cases);
         }
     }
 
-    static void expect_room_counts(Sweep &sweep, double last) {
+    static void expect_padding_counts(Sweep &sweep, double last) {
         sweep.expect_holds("robust", last);
         if (!on_rusticl()) {
             sweep.expect_holds("robust, width=4", last);
@@ -153,7 +149,7 @@ TEST_P(StabilityStage09Box, FarFromTheOrigin) {
                       "to coordinates of 1e6 sizes"),
                 GetParam());
     measure_all(sweep, cases);
-    expect_room_counts(sweep, 1e6);
+    expect_padding_counts(sweep, 1e6);
 }
 
 // Along an axis but for a little, from the planes of the box: its sides are where the triangle's
@@ -179,7 +175,7 @@ TEST_P(StabilityStage09Box, NearlyAlongAnAxis) {
                       "1 / the smallest part of the direction, 1e46 for 0", "for every direction"),
                 GetParam());
     measure_all(sweep, cases);
-    expect_room_counts(sweep, 1e46);
+    expect_padding_counts(sweep, 1e46);
 }
 
 // Rays that hit a triangle, which is in the first of four boxes, and miss the others. Each has
@@ -188,8 +184,8 @@ struct Neighbours {
     std::vector<double> x;
     std::vector<vec4> origins, directions, others;
     std::vector<int> counts;
-    std::vector<Node> nodes;
-    std::vector<device::Facet> facets;
+    std::vector<BvhNode> nodes;
+    std::vector<DeviceCorners> triangles;
     Dice dice;
 
     // Of the others, one or more parts are as large as that.
@@ -214,12 +210,12 @@ struct Neighbours {
                 other[axis] = dice.between(-1, 1) < 0 ? -large : large;
             }
         }
-        Node node = node_around(corners, true);
+        BvhNode node = node_around(corners, true);
         for (std::size_t child = 1; child < 4; ++child) {
             const dvec3 behind = dvec3(origin) - 3.0 * dvec3(direction) + dice.in_cube(1);
             for (int axis = 0; axis < 3; ++axis) {
-                node[4 * std::size_t(axis) + child] = float(behind[axis] - 0.1);
-                node[4 * std::size_t(axis + 3) + child] = float(behind[axis] + 0.1);
+                node.planes[axis].s[child] = float(behind[axis] - 0.1);
+                node.planes[axis + 3].s[child] = float(behind[axis] + 0.1);
             }
         }
         x.push_back(std::max(count, 1));
@@ -228,12 +224,12 @@ struct Neighbours {
         others.emplace_back(other, 0);
         counts.push_back(count);
         nodes.push_back(node);
-        facets.push_back(facet_of(corners));
+        triangles.push_back(to_device(corners));
     }
 
     std::vector<ivec4> ask(DeviceProgram program) const {
         return program.run<ivec4>("enter_beside", origins, directions, others, counts, nodes,
-                                  facets);
+                                  triangles);
     }
 };
 
@@ -254,14 +250,15 @@ TEST_P(StabilityStage09NotFinite, BesideOthers) {
                 GetParam());
     const auto measure_beside = [&](const std::string &series, int width, const char *method,
                                     float large) {
-        const int rays = width * PACKETS_IN_ROW_OF(width) * PACKETS_IN_ROW_OF(width);
+        const int rays = width == 1 ? 1 : 4 * width;
         Neighbours cases;
         for (int count = rays == 1 ? 0 : 1; count < rays; count = 2 * count + 1) {
             for (int i = 0; i < 1024; ++i) {
                 cases.add(count, large);
             }
         }
-        const auto told = cases.ask(build("boxes.cl", with_tree(width), {{"box", method}}));
+        const auto told = cases.ask(build(width == 1 ? "tree.cl" : "packet_boxes_beside.cl",
+                                          with_tree(width), {{"box", method}}));
         std::map<double, std::pair<double, double>> disturbed;
         for (std::size_t i = 0; i < told.size(); ++i) {
             const bool right = cases.counts[i] == 0

@@ -9,12 +9,12 @@ namespace {
 
 using glm::dvec3;
 
-class StabilityStage10Crowd : public render::OnEachDevice {
+class StabilityStage11Crowd : public render::OnEachDevice {
 protected:
     static void expect_reference(const Scene &scene) {
         RenderSettings settings = render::settings_of(scene);
         settings.methods = {{"width", "1"}};
-        const Frame frame = renderer("10_full_tracer", scene, settings).render();
+        const Frame frame = renderer("11_full_tracer", scene, settings).render();
         const auto truth =
             reference::render<double>(scene, {scene.width, scene.height, scene.max_depth});
         const Comparison comparison = compare(frame.image, truth.image, truth.edge, {});
@@ -31,10 +31,10 @@ protected:
         return scene;
     }
 };
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Crowd, render::each_device(), render::device_name);
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage11Crowd, render::each_device(), render::device_name);
 
 // No tree can tell them apart; and what one reflects, none of the others may stop.
-TEST_P(StabilityStage10Crowd, FourThousandTrianglesInOnePlace) {
+TEST_P(StabilityStage11Crowd, FourThousandTrianglesInOnePlace) {
     Scene scene = small({0, 0.5, 3}, {0, 0, 0});
     const int material = reference::add_material(scene, reference::mirror({0.9, 0.5, 0.2}));
     for (int i = 0; i < 4096; ++i) {
@@ -45,7 +45,7 @@ TEST_P(StabilityStage10Crowd, FourThousandTrianglesInOnePlace) {
 }
 
 // The lights: at the eye, on the floor, and inside of a ball that lets none out.
-TEST_P(StabilityStage10Crowd, AThousandSpheresInOneAnotherAndLightsInOddPlaces) {
+TEST_P(StabilityStage11Crowd, AThousandSpheresInOneAnotherAndLightsInOddPlaces) {
     Scene scene = small({0, 1, 4}, {0, 0.6, 0});
     for (int i = 0; i < 1000; ++i) {
         reference::add_sphere(scene, {-0.8, 0.9, 0}, 0.8 - i * 0.0005,

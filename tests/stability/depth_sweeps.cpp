@@ -14,8 +14,8 @@ namespace {
 
 using glm::dvec3;
 
-class StabilityStage10Depth : public render::OnEachDevice {};
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Depth, render::each_device(), render::device_name);
+class StabilityStage11Depth : public render::OnEachDevice {};
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage11Depth, render::each_device(), render::device_name);
 
 // What a wall lets go by: 1 / x.
 constexpr double all_x[] = {2, 3, 5, 10, 20, 1000};
@@ -37,7 +37,7 @@ Scene pairs_of_walls(int max_depth) {
     return scene;
 }
 
-TEST_P(StabilityStage10Depth, MirrorsThatFaceEachOther) {
+TEST_P(StabilityStage11Depth, MirrorsThatFaceEachOther) {
     Sweep sweep({.name = "depth",
                  .kind = "depth",
                  .title = "Mirrors that face each other",
@@ -65,7 +65,7 @@ TEST_P(StabilityStage10Depth, MirrorsThatFaceEachOther) {
         measure("fixed " + std::to_string(depth), "03_reflection_glossy", depth,
                 {{"depth", "fixed"}});
     }
-    measure("contribution", "10_full_tracer", 64, {{"width", "1"}});
+    measure("contribution", "11_full_tracer", 64, {{"width", "1"}});
     sweep.expect_holds("fixed 8", 2);
     sweep.expect_fails("fixed 8", 3);
     sweep.expect_holds("fixed 16", 3);

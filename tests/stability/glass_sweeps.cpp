@@ -26,8 +26,8 @@ constexpr double a_pixel = 1e-3;
 
 using StabilityStage04Refraction = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage04Refraction, each_device(), device_name);
-using StabilityStage10Fresnel = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Fresnel, each_device(), device_name);
+using StabilityStage11Fresnel = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage11Fresnel, each_device(), device_name);
 using StabilityStage04Transmission = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage04Transmission, each_device(), device_name);
 
@@ -142,7 +142,7 @@ public:
     }
 };
 
-TEST_P(StabilityStage10Fresnel, IndexAngleAndTotalReflection) {
+TEST_P(StabilityStage11Fresnel, IndexAngleAndTotalReflection) {
     Reflectance index("fresnel_index", "Glass as thin as air", "1 / (index - 1)", "any index",
                       GetParam());
     Reflectance angle("fresnel_angle", "Grazing light: what is reflected", "1 / cosine",
@@ -169,7 +169,7 @@ TEST_P(StabilityStage10Fresnel, IndexAngleAndTotalReflection) {
     }
 }
 
-TEST_P(StabilityStage10Fresnel, EqualIndicesReflectNothing) {
+TEST_P(StabilityStage11Fresnel, EqualIndicesReflectNothing) {
     Cases cases;
     for (int power = 0; power <= 24; ++power) {
         const double x = std::pow(10, power / 4.0);

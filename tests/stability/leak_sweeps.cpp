@@ -6,7 +6,7 @@
 
 #include "kernels/on_device.h"
 #include "reference/scenes.h"
-#include "stability/facets.h"
+#include "stability/leaf_triangles.h"
 #include "stability/sweep.h"
 
 namespace stagelight::stability {
@@ -18,7 +18,7 @@ using reference::Dice;
 using StabilityStage09Leaks = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Leaks, each_device(), device_name);
 
-// Four corners, any three of which have a facet, with some room within.
+// Four corners, any three of which have a triangle, with some room within.
 using Mesh = std::array<Corners, 4>;
 
 Mesh some_mesh(double offset, Dice &dice) {
@@ -49,12 +49,12 @@ public:
         Dice dice;
         for (std::size_t i = 0; i < counts_.size(); ++i) {
             const Mesh mesh = some_mesh(offset, dice);
-            std::ranges::transform(mesh, facets_.emplace_back().begin(), facet_of);
+            std::ranges::transform(mesh, triangles_.emplace_back().begin(), to_device);
         }
     }
 
     void measure(Sweep &sweep, const std::string &series, DeviceProgram &program) const {
-        const auto leaks = program.run<std::uint32_t>("leak", counts_, facets_);
+        const auto leaks = program.run<std::uint32_t>("leak", counts_, triangles_);
         const double rays = std::accumulate(counts_.begin(), counts_.end(), 0.0);
         sweep.add(series, offset_, std::accumulate(leaks.begin(), leaks.end(), 0.0) / rays);
     }
@@ -62,7 +62,7 @@ public:
 private:
     double offset_;
     std::vector<std::uint32_t> counts_;
-    std::vector<std::array<device::Facet, 4>> facets_;
+    std::vector<std::array<DeviceCorners, 4>> triangles_;
 };
 
 // From within a closed mesh at its edges and corners, ten million rays; a tenth on rusticl, which
@@ -77,11 +77,11 @@ TEST_P(StabilityStage09Leaks, BetweenTwoTriangles) {
                  .limit = 1e-7,
                  .stated = "none at all"},
                 GetParam());
-    DeviceProgram program = build("facets.cl", with_facets(1));
-    DeviceProgram wide = build("facets.cl", with_facets(4));
-    DeviceProgram contracted = build("facets.cl", with_facets(1), {{"math", "mad"}});
+    DeviceProgram program = build("leaf_triangles.cl", with_triangles(1));
+    DeviceProgram wide = build("leaf_triangles.cl", with_triangles(4));
+    DeviceProgram contracted = build("leaf_triangles.cl", with_triangles(1), {{"math", "mad"}});
     DeviceProgram moeller_trumbore =
-        build("facets.cl", with_facets(1), {{"triangle", "moeller_trumbore"}});
+        build("leaf_triangles.cl", with_triangles(1), {{"triangle", "moeller_trumbore"}});
     for (const double offset : {1.0, 10.0, 100.0, 1e3, 1e4}) {
         const Leaks many(offset, on_rusticl() ? 204'800 : 2'048'000);
         const Leaks few(offset, 204'800);

@@ -20,7 +20,7 @@ using Exact = glm::vec<3, Real>;
 using StabilityStage02Light = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage02Light, each_device(), device_name);
 
-const SceneNeeds one_light{{"HAS_LIGHTS", 1}, {"HAS_POINT_LIGHT", 1}};
+const SceneNeeds one_light{{"HAS_LIGHTS", 1}, {"HAS_POINT_LIGHT", 1}, {"WIDTH", 4}};
 
 // Lights of such an intensity that a white surface is as bright as the cosine, but for a range.
 struct Cases {

@@ -51,24 +51,20 @@ struct Turn {
 };
 
 std::vector<Turn> turns(DeviceProgram program, const SmoothFacets &cases) {
-    std::vector<device::Facet> facets;
-    std::vector<std::array<float, 12>> normals;
+    std::vector<std::array<device::float4, 3>> corners;  // on the unit sphere: their own normals
     std::vector<device::Triangle> triangles;
     for (const Triangle &facet : cases.facets) {
-        const auto first = std::uint32_t(3 * facets.size());
+        const auto first = std::uint32_t(3 * corners.size());
         triangles.push_back({{first, first + 1, first + 2}, 0});
-        device::Facet &corners = facets.emplace_back();
-        auto &out = normals.emplace_back();
+        auto &out = corners.emplace_back();
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto number = float(facet[corner][int(axis)]);
-                corners.corners[corner][axis] = number;
-                out[4 * corner + axis] = number;
+            for (int axis = 0; axis < 3; ++axis) {
+                out[corner].s[axis] = float(facet[corner][axis]);
             }
         }
     }
     const auto read = program.run<std::array<vec4, 2>>(
-        "smooth_normals", cases.weights, cases.directions, triangles, facets, normals);
+        "smooth_normals", cases.weights, cases.directions, triangles, corners, corners);
     std::vector<Turn> all;
     for (std::size_t i = 0; i < read.size(); ++i) {
         const dvec3 normal = glm::normalize(cases.blended(i));

@@ -30,10 +30,10 @@ double wrong_pixels(const Image &picture, const reference::Result &truth) {
 
 const char *const methods[] = {"error_bound", "scaled", "fixed", "integer"};
 
-class StabilityStage10Origin : public render::OnEachDevice {
+class StabilityStage11Origin : public render::OnEachDevice {
 protected:
-    // Rusticl, which takes seconds to build stage 10, shows the same of one ray at a time.
-    static const char *stage() { return is_rusticl(GetParam()) ? "05_meshes" : "10_full_tracer"; }
+    // Rusticl, which takes seconds to build stage 11, shows the same of one ray at a time.
+    static const char *stage() { return is_rusticl(GetParam()) ? "05_meshes" : "11_full_tracer"; }
 
     // The share of the pixels off edges that each method has wrong.
     static std::map<std::string, double> wrong_by_method(const Scene &scene,
@@ -61,7 +61,7 @@ protected:
         }
     }
 };
-INSTANTIATE_TEST_SUITE_P(On, StabilityStage10Origin, each_device(), device_name);
+INSTANTIATE_TEST_SUITE_P(On, StabilityStage11Origin, each_device(), device_name);
 
 // A ball, and a block from low to high, stand on the floor; the walls and the roof of a shed, open
 // to the front, are thin. All is lit from the front and, but for the inside of the shed, from
@@ -100,7 +100,7 @@ Question about(const char *name, const char *title, const char *x_label, const c
             .stated = stated};
 }
 
-TEST_P(StabilityStage10Origin, SmallScenes) {
+TEST_P(StabilityStage11Origin, SmallScenes) {
     Sweep sweep(about("origin_small", "Small scenes", "1 / size", "to a size of 1e-4"), GetParam());
     for (int power = 0; power <= 4; ++power) {
         measure(sweep, std::pow(10, power), rounded(render::scaled(shed(), std::pow(10, -power))));
@@ -111,7 +111,7 @@ TEST_P(StabilityStage10Origin, SmallScenes) {
     sweep.expect_fails("integer", 1e4);
 }
 
-TEST_P(StabilityStage10Origin, LargeScenes) {
+TEST_P(StabilityStage11Origin, LargeScenes) {
     Sweep sweep(about("origin_large", "Large scenes", "size", "to a size of 1e6"), GetParam());
     for (int power = 0; power <= 6; ++power) {
         measure(sweep, std::pow(10, power), rounded(render::scaled(shed(), std::pow(10, power))));
@@ -121,7 +121,7 @@ TEST_P(StabilityStage10Origin, LargeScenes) {
     sweep.expect_fails("fixed", 1e5);
 }
 
-TEST_P(StabilityStage10Origin, FarFromTheOrigin) {
+TEST_P(StabilityStage11Origin, FarFromTheOrigin) {
     Sweep sweep(about("origin_offset", "Scenes far from the origin", "coordinates / size",
                       "to coordinates of 1e5 sizes"),
                 GetParam());
@@ -135,7 +135,7 @@ TEST_P(StabilityStage10Origin, FarFromTheOrigin) {
     sweep.expect_fails("integer", 1e5);
 }
 
-TEST_P(StabilityStage10Origin, CameraFarAway) {
+TEST_P(StabilityStage11Origin, CameraFarAway) {
     Sweep sweep(about("origin_far", "Camera far away", "distance / size", "to 1e5 sizes away"),
                 GetParam());
     for (int power = 1; power <= 5; ++power) {
@@ -149,7 +149,7 @@ TEST_P(StabilityStage10Origin, CameraFarAway) {
     sweep.expect_fails("scaled", 1e5);  // a fifth of the scene is much to be off a surface
 }
 
-TEST_P(StabilityStage10Origin, LightCloseToTheFloor) {
+TEST_P(StabilityStage11Origin, LightCloseToTheFloor) {
     Sweep sweep(
         about("origin_low_light", "Lights close to the floor", "1 / height", "to a height of 1e-5"),
         GetParam());
@@ -168,7 +168,7 @@ TEST_P(StabilityStage10Origin, LightCloseToTheFloor) {
 
 // From within the gap between the floor and a thin plate: it is dark there. The tree is as deep as
 // the shed's with its block, so that the kernels are the same.
-TEST_P(StabilityStage10Origin, DarkGap) {
+TEST_P(StabilityStage11Origin, DarkGap) {
     Sweep sweep(about("origin_gap", "Light through a thin plate", "1 / the gap below it",
                       "to a gap of 1e-6"),
                 GetParam());
@@ -205,7 +205,7 @@ Scene light_above(bool is_ball, double height) {
     return scene;
 }
 
-TEST_P(StabilityStage10Origin, LightCloseToAFloorAndABall) {
+TEST_P(StabilityStage11Origin, LightCloseToAFloorAndABall) {
     Sweep floor(about("origin_light_floor", "A light comes down to a floor", "1 / its height",
                       "to a height of 1e-7"),
                 GetParam());

@@ -108,7 +108,7 @@ def draw_picture(program, scene, options, file):
 
 def gallery_lines(program, scenes, docs):
     lines = ["## Gallery of failures", "",
-             "Left by the defaults, right with one option that is not: `./stagelight run 10 scenes/…`.", ""]
+             "Left by the defaults, right with one option that is not: `./stagelight run 11 scenes/…`.", ""]
     for index, (title, scene, options, seen) in enumerate(GALLERY):
         good, bad = f"gallery_{index:02}_good.png", f"gallery_{index:02}_bad.png"
         draw_picture(program, scenes / scene, [], docs / good)

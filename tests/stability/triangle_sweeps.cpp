@@ -7,7 +7,7 @@
 
 #include "kernels/on_device.h"
 #include "reference/scenes.h"
-#include "stability/facets.h"
+#include "stability/leaf_triangles.h"
 #include "stability/sweep.h"
 
 namespace stagelight::stability {
@@ -32,7 +32,7 @@ Corners some_triangle(Dice &dice) {
 struct Cases {
     std::vector<double> x;
     std::vector<vec4> origins, directions;
-    std::vector<device::Facet> facets;
+    std::vector<DeviceCorners> triangles;
 
     // A ray from `distance` away to somewhere well inside, at 60 degrees or less to the normal.
     void add(double at, const Corners &corners, double distance, Dice &dice) {
@@ -50,18 +50,18 @@ struct Cases {
         x.push_back(at);
         origins.emplace_back(vec3(origin), 0);
         directions.emplace_back(vec3(glm::normalize(target - origin)), 0);
-        facets.push_back(facet_of(corners));
+        triangles.push_back(to_device(corners));
     }
 };
 
 // Along the normal from each edge to a point of the plane, the least of the three.
-long double depth_inside(const device::Facet &facet, const Exact &point) {
-    const Exact normal =
-        glm::cross(corner(facet, 1) - corner(facet, 0), corner(facet, 2) - corner(facet, 0));
+long double depth_inside(const DeviceCorners &triangle, const Exact &point) {
+    const Exact normal = glm::cross(corner(triangle, 1) - corner(triangle, 0),
+                                    corner(triangle, 2) - corner(triangle, 0));
     long double least = INFINITY;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Exact from = corner(facet, i);
-        const Exact edge = corner(facet, (i + 1) % 3) - from;
+        const Exact from = corner(triangle, i);
+        const Exact edge = corner(triangle, (i + 1) % 3) - from;
         const Exact inwards = glm::normalize(glm::cross(normal, edge));
         least = std::min(least, glm::dot(inwards, point - from));
     }
@@ -71,28 +71,28 @@ long double depth_inside(const device::Facet &facet, const Exact &point) {
 // How far off the hit is, by the method's distance or by its weights, in distances; 1 for a miss.
 // Nothing where the ray passes an edge so closely that rounding the ways to the corners decides.
 std::optional<double> error_of(const Cases &cases, std::size_t i, const vec4 &hit) {
-    const device::Facet &facet = cases.facets[i];
+    const DeviceCorners &triangle = cases.triangles[i];
     const Exact origin(cases.origins[i]), direction(cases.directions[i]);
-    const Exact to_b = corner(facet, 1) - corner(facet, 0);
-    const Exact to_c = corner(facet, 2) - corner(facet, 0);
+    const Exact to_b = corner(triangle, 1) - corner(triangle, 0);
+    const Exact to_c = corner(triangle, 2) - corner(triangle, 0);
     const Exact normal = glm::cross(to_b, to_c);
     const long double distance =
-        glm::dot(normal, corner(facet, 0) - origin) / glm::dot(normal, direction);
+        glm::dot(normal, corner(triangle, 0) - origin) / glm::dot(normal, direction);
     const Exact point = origin + distance * direction;
-    if (!(depth_inside(facet, point) > 3e-7L * distance)) {
+    if (!(depth_inside(triangle, point) > 3e-7L * distance)) {
         return {};
     }
     if (!std::isfinite(hit.x)) {
         return 1;
     }
     const Exact by_weights =
-        corner(facet, 0) + Exact::value_type(hit.y) * to_b + Exact::value_type(hit.z) * to_c;
+        corner(triangle, 0) + Exact::value_type(hit.y) * to_b + Exact::value_type(hit.z) * to_c;
     return double(std::max(std::abs(hit.x - distance), glm::distance(by_weights, point))
                   / distance);
 }
 
 void measure(Sweep &sweep, const std::string &series, DeviceProgram program, const Cases &cases) {
-    const auto hits = program.run<vec4>("hit", cases.origins, cases.directions, cases.facets);
+    const auto hits = program.run<vec4>("hit", cases.origins, cases.directions, cases.triangles);
     std::size_t counted = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (const auto error = error_of(cases, i, hits[i])) {
@@ -107,10 +107,10 @@ class StabilityStage09Triangle : public OnDevice {
 protected:
     static void measure_all(Sweep &sweep, const Cases &cases) {
         for (const char *method : {"woop", "moeller_trumbore", "threshold"}) {
-            measure(sweep, method, build("facets.cl", with_facets(1), {{"triangle", method}}),
-                    cases);
+            measure(sweep, method,
+                    build("leaf_triangles.cl", with_triangles(1), {{"triangle", method}}), cases);
         }
-        measure(sweep, "woop, each its axis", build("facets.cl", with_facets(4)), cases);
+        measure(sweep, "woop, each its axis", build("leaf_triangles.cl", with_triangles(4)), cases);
     }
 };
 INSTANTIATE_TEST_SUITE_P(On, StabilityStage09Triangle, each_device(), device_name);

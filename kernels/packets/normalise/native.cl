@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The directions of vectors, as the device does it fastest: the error is the device's own.
-#include "wide.cl"
+#include "packets/wide.cl"
 
 static Wide3 wide_unit(const Wide3 a) {
     return wide_scaled(NATIVE_RSQRT(wide_dot(a, a)), a);

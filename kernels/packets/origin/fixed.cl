@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // As origin/fixed.cl.
 #include "origin/fixed.cl"
-#include "wide.cl"
+#include "packets/wide.cl"
 
 static Wide3 wide_offset_along(const WideSurfaces *surfaces, const Wide3 normals) {
     return wide_sum(surfaces->position, wide_scaled(FIXED_OFFSET, normals));

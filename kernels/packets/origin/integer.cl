@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // As origin/integer.cl.
 #include "origin/integer.cl"
-#include "wide.cl"
+#include "packets/wide.cl"
 
 static Wide wide_offset_axis(const Wide position, const Wide normal) {
-    const WideInt steps = WIDE(TO_LANE_INT)(INTEGER_STEPS * normal);
+    const WideInt steps = JOIN(TO_LANE_INT, WIDTH)(INTEGER_STEPS * normal);
     const Wide moved =
-        WIDE(AS_REAL)(WIDE(AS_LANE_INT)(position) + (position < 0.0f ? -steps : steps));
+        JOIN(AS_REAL, WIDTH)(JOIN(AS_LANE_INT, WIDTH)(position) + (position < 0.0f ? -steps : steps));
     return fabs(position) < NEAR_ZERO ? position + NEAR_ZERO_OFFSET * normal : moved;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where rays meet a triangle, with no threshold.
-#include "wide_triangle.cl"
+#include "packets/triangle.cl"
 
 static Wide wide_ray_triangle(const WideRays *rays, const TriangleRays *shared, const Scene *scene,
                               const uint index, Wide *b, Wide *c) {

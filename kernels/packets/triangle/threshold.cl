@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where rays meet a triangle, with a threshold as in the code of Möller and Trumbore's paper and in much since: but
-// the determinant shrinks with the square of a triangle's size, and small meshes vanish.
-#include "wide_triangle.cl"
+// Where rays meet a triangle, with a threshold as in the code of Möller and Trumbore's paper and in much since:
+// but the determinant shrinks with the square of a triangle's size, and small meshes vanish.
+#include "packets/triangle.cl"
 
 static Wide wide_ray_triangle(const WideRays *rays, const TriangleRays *shared, const Scene *scene,
                               const uint index, Wide *b, Wide *c) {

@@ -2,7 +2,7 @@
 // Exercise 01.4, solved: what is inside one interval of the ray and not inside another (Roth, Ray Casting for
 // Modeling Solids, Computer Graphics and Image Processing 18, 1982).
 
-// kernels/sphere.cl
+// kernels/sphere/geometric.cl
 // #region ray_sphere
 #define BITE_TOWARDS (float3)(0.48f, 0.6f, 0.64f)  // unit length
 #define BITE_SHARE 0.7f

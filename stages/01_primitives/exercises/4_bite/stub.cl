@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exercise 01.4: from each sphere another one is taken away.
 
-// kernels/sphere.cl
+// kernels/sphere/geometric.cl
 // #region ray_sphere
 #define BITE_TOWARDS (float3)(0.48f, 0.6f, 0.64f)  // unit length
 #define BITE_SHARE 0.7f

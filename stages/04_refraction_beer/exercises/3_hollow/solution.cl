@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Exercise 04.3, solved: a second wall for each sphere of glass, whose outside is its inside.
 
-// kernels/closest_hit.cl
+// kernels/each_shape.cl
 // #region each_sphere
 #define HOLLOW 0.85f  // the inner radius by the outer one
 
     for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
-        keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
+        keep_closer(closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);
         if (scene->materials[sphere.material].type == MATERIAL_DIELECTRIC) {
-            keep_closer(&closest,
+            keep_closer(closest,
                         intersect_ray_sphere(ray, XYZ(sphere.center), HOLLOW * sphere.radius),
                         SHAPE_SPHERE, i);
         }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Exercise 04.3: where a ray meets a sphere of glass, and what is there.
 
-// kernels/closest_hit.cl
+// kernels/each_shape.cl
 // #region each_sphere
 #define HOLLOW 0.85f  // the inner radius by the outer one
 
     for (int i = 0; i < scene->sphere_count; ++i) {
         const Sphere sphere = scene->spheres[i];
-        keep_closer(&closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
+        keep_closer(closest, intersect_ray_sphere(ray, XYZ(sphere.center), sphere.radius),
                     SHAPE_SPHERE, i);  // your turn
     }
 // #endregion each_sphere

@@ -34,7 +34,7 @@ static Ray to_original(const Ray ray) {
 }
 // #endregion edges
 
-// kernels/closest_hit.cl
+// kernels/each_shape.cl
 // #region closest_triangle
     const Ray moved = to_original(ray);
     for (int i = 0; i < 2 * scene->triangle_count; ++i) {
@@ -43,14 +43,12 @@ static Ray to_original(const Ray ray) {
         float2 barycentric;
         const float distance =
             intersect_ray_triangle(is_copy ? moved : ray, triangle, &barycentric);
-        if (distance < closest.distance) {
-            closest.barycentric = barycentric;
+        if (keep_closer(closest, distance, SHAPE_TRIANGLE, i)) {
+            closest->barycentric = barycentric;
         }
-        keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
     }
 // #endregion closest_triangle
 
-// kernels/any_hit.cl
 // #region ray_any_triangle
     const Ray moved = to_original(ray);
     for (int i = 0; i < scene->triangle_count; ++i) {

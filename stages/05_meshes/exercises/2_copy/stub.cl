@@ -28,20 +28,18 @@ static Ray to_original(const Ray ray) {
 }
 // #endregion edges
 
-// kernels/closest_hit.cl
+// kernels/each_shape.cl
 // #region closest_triangle
     for (int i = 0; i < scene->triangle_count; ++i) {  // your turn
         float2 barycentric;
         const float distance =
             intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric);
-        if (distance < closest.distance) {
-            closest.barycentric = barycentric;
+        if (keep_closer(closest, distance, SHAPE_TRIANGLE, i)) {
+            closest->barycentric = barycentric;
         }
-        keep_closer(&closest, distance, SHAPE_TRIANGLE, i);
     }
 // #endregion closest_triangle
 
-// kernels/any_hit.cl
 // #region ray_any_triangle
     for (int i = 0; i < scene->triangle_count; ++i) {  // your turn
         float2 barycentric;

@@ -12,10 +12,9 @@
                     const float weights[3] = {1.0f - bc.x - bc.y, bc.x, bc.y};
                     const float side = surface.from_behind ? -1.0f : 1.0f;
                     for (int i = 0; i < 3; ++i) {
-                        const uint vertex = triangle.vertices[i];
-                        const float3 normal = side * XYZ(scene->vertex_normals[vertex]);
-                        const float height =
-                            dot(surface.position - XYZ(scene->vertex_positions[vertex]), normal);
+                        const float3 normal = side * XYZ(scene->vertex_normals[triangle.vertices[i]]);
+                        const float3 corner = triangle_corner(scene, hit.index, i);
+                        const float height = dot(surface.position - corner, normal);
                         rounded.position -= weights[i] * min(height, 0.0f) * normal;
                     }
                 }

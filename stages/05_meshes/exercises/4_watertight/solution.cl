@@ -10,12 +10,15 @@ typedef struct Edges {
     float3 second, third;  // corners: corner + b would be rounded
 } Edges;
 
+static float3 triangle_corner(const Scene *scene, const int index, const int corner) {
+    return XYZ(scene->triangle_corners[3 * index + corner]);
+}
+
 static Edges triangle_edges(const Scene *scene, const int index) {
-    const Triangle triangle = scene->triangles[index];
-    const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
-    const float3 second = XYZ(scene->vertex_positions[triangle.vertices[1]]);
-    const float3 third = XYZ(scene->vertex_positions[triangle.vertices[2]]);
-    const Edges edges = {corner, second - corner, third - corner, second, third};
+    const float3 first = triangle_corner(scene, index, 0);
+    const float3 second = triangle_corner(scene, index, 1);
+    const float3 third = triangle_corner(scene, index, 2);
+    const Edges edges = {first, second - first, third - first, second, third};
     return edges;
 }
 // #endregion triangle_edges

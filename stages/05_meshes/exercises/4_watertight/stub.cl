@@ -8,11 +8,14 @@ typedef struct Edges {
     float3 b, c;
 } Edges;
 
+static float3 triangle_corner(const Scene *scene, const int index, const int corner) {
+    return XYZ(scene->triangle_corners[3 * index + corner]);
+}
+
 static Edges triangle_edges(const Scene *scene, const int index) {
-    const Triangle triangle = scene->triangles[index];
-    const float3 corner = XYZ(scene->vertex_positions[triangle.vertices[0]]);
-    const Edges edges = {corner, XYZ(scene->vertex_positions[triangle.vertices[1]]) - corner,
-                         XYZ(scene->vertex_positions[triangle.vertices[2]]) - corner};
+    const float3 corner = triangle_corner(scene, index, 0);
+    const Edges edges = {corner, triangle_corner(scene, index, 1) - corner,
+                         triangle_corner(scene, index, 2) - corner};
     return edges;  // your turn
 }
 // #endregion triangle_edges
