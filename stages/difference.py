@@ -273,13 +273,20 @@ def counts(lines):
     return added, removed
 
 
+def added_by_file(before, after):
+    """Of each file of the later lesson: how many lines of code it has more than in the earlier one."""
+    old = lesson(before) if before else {}
+    return {file: counts(list(difflib.unified_diff(old.get(file, []), lines, lineterm="")))[0]
+            for file, lines in lesson(after).items()}
+
+
 def introduced(before, after):
     """Of each module of the later lesson that is not as in the earlier one: "new", or "extended"."""
-    old, new = lesson(before) if before else {}, lesson(after)
+    old = lesson(before) if before else {}
     beside = BESIDE.get(number_of(after))
-    return {file.removeprefix("kernels/"): "extended" if file in old else "new" for file, lines in new.items()
-            if file.startswith("kernels/") and file != beside
-            and counts(list(difflib.unified_diff(old.get(file, []), lines, lineterm="")))[0]}
+    return {file.removeprefix("kernels/"): "extended" if file in old else "new"
+            for file, lines in added_by_file(before, after).items()
+            if file.startswith("kernels/") and file != beside and lines}
 
 
 def hold_to_signposts():
@@ -319,17 +326,15 @@ def show(before, after):
 
 def hold_to_parts(before, after, budget):
     """Of a stage that is taught in parts, each of some modules; whether each part keeps to its budget."""
-    old, new = lesson(before), lesson(after)
-    added = {file: counts(list(difflib.unified_diff(old.get(file, []), lines, lineterm="")))[0]
-             for file, lines in new.items()}
+    left = added_by_file(before, after)  # in no part so far
     kept = True
     for part, modules in budget["parts"].items():
-        lines = sum(added.pop("kernels/" + module, 0) for module in modules)
+        lines = sum(left.pop("kernels/" + module, 0) for module in modules)
         print(f"{after.name:24} {lines:4} lines more, of {budget['part_lines']} at the most: {part}")
         if lines > budget["part_lines"]:
             print("  too many: make the part smaller")
             kept = False
-    for file, lines in added.items():
+    for file, lines in left.items():
         if lines and file.startswith("kernels/"):
             print(f"  {file}: in no part of stages/budget.toml")
             kept = False

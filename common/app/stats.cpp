@@ -47,10 +47,7 @@ ordered_json faded_json(const RunFigures &figures) {
 ordered_json methods_json(int stage, const Methods &chosen) {
     ordered_json json = ordered_json::object();
     for (const Method &method : methods_of(stage)) {
-        if (!json.contains(method.kind)) {
-            const auto choice = chosen.find(method.kind);
-            json[method.kind] = choice == chosen.end() ? method.name : choice->second;
-        }
+        json[method.kind] = choice(chosen, method.kind, stage);
     }
     return json;
 }

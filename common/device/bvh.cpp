@@ -285,18 +285,16 @@ private:
 
     // The first of its shapes, in the order of those of its kind.
     cl_int emit_leaf(const Range &range) {
-        std::vector<std::uint32_t> &shapes =
-            is_leaf_of_spheres(range) ? bvh_.spheres : bvh_.triangles;
+        const bool spheres = is_leaf_of_spheres(range);
+        std::vector<std::uint32_t> &shapes = spheres ? bvh_.spheres : bvh_.triangles;
         const auto first = static_cast<cl_int>(shapes.size());
         for (std::uint32_t place = range.begin; place < range.end; ++place) {
-            shapes.push_back(order_[place] - (is_sphere(order_[place]) ? triangle_count_ : 0));
+            shapes.push_back(order_[place] - (spheres ? triangle_count_ : 0));
         }
         return first;
     }
 
-    bool is_leaf_of_spheres(const Range &range) const {
-        return range.size() > 0 && is_sphere(order_[range.begin]);
-    }
+    bool is_leaf_of_spheres(const Range &range) const { return is_sphere(order_[range.begin]); }
 
     void put_child(std::size_t node, std::size_t index, const Part &child, cl_int first) {
         device::BvhNode &into = bvh_.nodes[node];

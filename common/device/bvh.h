@@ -11,8 +11,8 @@
 namespace stagelight {
 
 struct Bvh {
-    std::vector<device::BvhNode>
-        nodes;           // the first is the root, and nodes come before their children
+    // The first is the root, and nodes come before their children.
+    std::vector<device::BvhNode> nodes;
     int stack_size = 0;  // nodes that can be waiting at a time
     // Of the scene, at each place of the leaves: a leaf has shapes of one kind.
     std::vector<std::uint32_t> triangles;

@@ -147,11 +147,12 @@ bool matters(const std::string &kind, const SceneNeeds &needs) {
     const auto has = [&needs](const char *name) { return value_of(needs, name) != 0; };
     const bool glass = has("HAS_DIELECTRIC");
     const bool bounces = glass || has("HAS_REFLECTION");
+    const bool in_a_tree = has("HAS_TRIANGLES") || has("HAS_SPHERES");
     const std::map<std::string, bool> known = {
         {"sphere", has("HAS_SPHERES")},
         {"triangle", has("HAS_TRIANGLES")},
-        {"box", has("HAS_TRIANGLES") || has("HAS_SPHERES")},
-        {"walk", has("HAS_TRIANGLES") || has("HAS_SPHERES")},
+        {"box", in_a_tree},
+        {"walk", in_a_tree},
         {"origin", has("HAS_LIGHTS") || bounces},
         {"fresnel", glass},
         {"interior", glass && has("HAS_SPHERES")},

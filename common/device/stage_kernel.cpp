@@ -194,10 +194,10 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth,
                                          fade_at_of(settings.methods))),
       samples_(settings.samples), is_double_(is_double(settings.methods)) {
-    const Transfer decode = decode_of(stage_number(stage), settings.methods);
+    const int number = stage_number(stage);
+    const Transfer decode = decode_of(number, settings.methods);
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
                    settings.samples > 1 ? 3 : 1);  // a sample and the sum of all, beside their mean
-    const int number = stage_number(stage);
     if (number >= packet_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
@@ -228,7 +228,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
         }
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
-        names_ = argument_names(kernel_, argument_order(needs_, stage_number(stage)));
+        names_ = argument_names(kernel_, argument_order(needs_, number));
         scene_.emplace(context, device, kernel_, names_, scene, decode, bvh);
         if (settings.split && scene_->textures()) {
             plain_textures_.emplace(context, device, scene, Transfer::none);

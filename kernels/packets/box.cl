@@ -14,8 +14,8 @@ static float plane_of(__global const BvhNode *node, const int row, const int chi
 // p * inverse + low, or + high; between the two lies what rounding can do.
 //
 // Rounding moves a plane by some units in the last place of the two coordinates that it is measured
-// between. For where the box is, its makers left room (common/device/bvh.cpp); here is the room for
-// where the ray is. With it, a direction of 0 may be taken for the smallest that counts: a ray in the
+// between. The host has padded the boxes (common/device/bvh.cpp); here is the padding for where the
+// ray is. With it, a direction of 0 may be taken for the smallest that counts: a ray in the
 // plane of a side stays inside. Every choice between two numbers below keeps the box where one of
 // them is not a number.
 #define SMALLEST_DIRECTION 1e-24f
