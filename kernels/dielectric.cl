@@ -17,7 +17,7 @@ static bool refract(const float3 direction, const float3 normal, const float rat
         return false;
     }
     const float beyond = ratio * cosine - sqrt(1.0f - sine_squared);
-    *refracted = unit(ratio * direction + beyond * normal);
+    *refracted = normalize(ratio * direction + beyond * normal);
     return true;
 }
 // #endregion refract
@@ -115,7 +115,7 @@ static void spawn_through_sphere(RayStack *stack, const PendingRay *incoming, co
         const Ray inside = {surface->position, interface.refracted};
         const float chord = intersect_ray_inside_sphere(inside, center);
         const float3 exit = inside.origin + chord * inside.direction;
-        const float3 inward = unit(center - exit);
+        const float3 inward = normalize(center - exit);
         leaves = leaves && refract(inside.direction, inward, glass->ior, &leaving.ray.direction);
         leaving.weight *= 1.0f - interface.reflectance;
         leaving.weight *= transmittance(XYZ(glass->absorption), chord);

@@ -13,7 +13,7 @@
 #else
 #define ROUNDING 5.9604645e-8f
 #endif
-#define GAMMA(count) ((count)*ROUNDING / (1.0f - (count)*ROUNDING))
+#define GAMMA(count) (ROUNDING * (count) / (1.0f - ROUNDING * (count)))
 
 // #region error_along
 // Of a position that is off by up to `error` along each axis, itself to be rounded once more: how far off

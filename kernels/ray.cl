@@ -13,6 +13,9 @@
 // more.
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
+
+// A component of a direction that is smaller is taken for this: its inverse is finite.
+#define SMALLEST_DIRECTION 1e-24f
 // #endregion fused
 
 // #region ray

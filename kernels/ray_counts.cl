@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 02; extended by 11 (faded rays): counting rays, to know what a picture costs.
+// Introduced by stage 02; extended by 11 (importance cutoff): counting rays, to know what a picture costs.
 #include "scene_types.h"
 
 // #region ray_counts
@@ -19,9 +19,9 @@ static void add_ray_counts(__global RayCounts *row, const RayCounts counts) {
     if (counts.dropped > 0) {
         atomic_add(&row->dropped, counts.dropped);
     }
-    if (FADED_ONE_IN > 0 && counts.faded > 0) {
-        atomic_add(&row->faded, counts.faded);
-        atomic_max(&row->faded_weight, counts.faded_weight);
+    if (CUTOFF_ONE_IN > 0 && counts.cut_off > 0) {
+        atomic_add(&row->cut_off, counts.cut_off);
+        atomic_max(&row->cut_off_weight, counts.cut_off_weight);
     }
 }
 // #endregion ray_counts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 04 (absorption) and 11 (faded rays): OpenCL C knows no recursion,
+// Introduced by stage 03; extended by 04 (absorption) and 11 (importance cutoff): OpenCL C knows no recursion,
 // so the rays that are still to be traced wait on a stack of our own (paper, section 3).
 #include "ray.cl"
 
@@ -48,24 +48,24 @@ static void copy_pending(PendingRay *to, const PendingRay *from) {
     }
 }
 
-// #region faded
+// #region importance_cutoff
 // A ray is not worth its way when it can't bring a pixel a step of an 8-bit picture. What all such
 // rays of a pixel could have brought is added up, rounded up, so that their error is known.
-static bool has_faded(const PendingRay *ray, RayCounts *counts) {
+static bool is_cut_off(const PendingRay *ray, RayCounts *counts) {
     const float largest = max(ray->weight.x, max(ray->weight.y, ray->weight.z));
-    if (largest * FADED_ONE_IN >= 1.0f) {
+    if (largest * CUTOFF_ONE_IN >= 1.0f) {
         return false;
     }
-    ++counts->faded;
-    counts->faded_weight += convert_uint_rtp(largest * FADED_WEIGHT_ONE);
+    ++counts->cut_off;
+    counts->cut_off_weight += convert_uint_rtp(largest * CUT_OFF_WEIGHT_ONE);
     return true;
 }
-// #endregion faded
+// #endregion importance_cutoff
 
 // #region push_ray
-// A ray that has faded, or is beyond the depth limit, is not traced, but it is counted.
+// A ray that is cut off, or is beyond the depth limit, is not traced, but it is counted.
 static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
-    if (FADED_ONE_IN > 0 && has_faded(&ray, counts)) {
+    if (CUTOFF_ONE_IN > 0 && is_cut_off(&ray, counts)) {
         return;
     }
     if (ray.depth > MAX_DEPTH) {

@@ -19,7 +19,7 @@ static Ray reflected_ray(const Surface *surface, const float3 direction) {
     if (dot(reflected, surface->geometric_normal) < 0.0f) {
         reflected = reflect(reflected, surface->geometric_normal);
     }
-    const Ray ray = {offset_ray_origin(surface, surface->geometric_normal), unit(reflected)};
+    const Ray ray = {offset_ray_origin(surface, surface->geometric_normal), normalize(reflected)};
     return ray;
 }
 // #endregion reflected_ray

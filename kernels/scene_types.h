@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01; extended by 02 (materials, lights), 03 (types of material), 05
-// (triangles), 09 (a tree), 10 (tiles) and 11 (faded rays): the structs that the host fills and
+// (triangles), 09 (a tree), 10 (tiles) and 11 (importance cutoff): the structs that the host fills and
 // the kernels read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its
 // size and alignment are the same everywhere. Lengths in scene units, world space, right-handed, y
 // up; colours linear.
@@ -40,9 +40,9 @@ typedef struct Camera {
     int2 size;      // the picture's, pixels
 } Camera;
 
+#if !defined(__OPENCL_VERSION__) || METHOD_MATH_FP64
 // The same where the kernel calculates in double: a direction that was rounded on its way would be
 // off by as much as float is.
-#if !defined(__OPENCL_VERSION__) || METHOD_MATH_FP64
 typedef struct DoubleCamera {
     double4 position;
     double4 corner;
@@ -54,12 +54,7 @@ typedef struct DoubleCamera {
 #endif
 // #endregion camera
 
-typedef enum MaterialType {
-    MATERIAL_DIFFUSE,
-    MATERIAL_MIRROR,
-    MATERIAL_GLOSSY,
-    MATERIAL_DIELECTRIC,
-} MaterialType;
+typedef enum MaterialType { MATERIAL_DIFFUSE, MATERIAL_MIRROR, MATERIAL_GLOSSY, MATERIAL_DIELECTRIC } MaterialType;
 
 // #region material
 typedef struct GlossyMaterial {
@@ -142,18 +137,18 @@ typedef struct BvhNode {
 #define TILE_WIDTH_OF(width) ((width) < 8 ? 2 : 4)
 #define PACKETS_IN_ROW 2
 
-// How many rays of a kind were traced, how many the depth limit dropped, and how many had faded:
+// How many rays of a kind were traced, how many the depth limit dropped, and how many were cut off:
 // one a row of the picture, so that no count outgrows 32 bits and few work-items meet at one.
 typedef struct RayCounts {
     uint shadow;
     uint reflection;
     uint refraction;
     uint dropped;
-    uint faded;         // too weak to be traced
-    uint faded_weight;  // their sum, FADED_WEIGHT_ONE for all of a pixel; of a row the largest
-                        // pixel's
+    uint cut_off;         // too weak to be traced
+    uint cut_off_weight;  // their sum, CUT_OFF_WEIGHT_ONE for all of a pixel; of a row the largest
+                          // pixel's
 } RayCounts;
-#define FADED_WEIGHT_ONE 16777216.0f
+#define CUT_OFF_WEIGHT_ONE 16777216.0f
 
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64 && offsetof(Camera, size) == 72);
@@ -168,7 +163,7 @@ static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16 && offsetof
 static_assert(sizeof(Plane) == 32 && offsetof(Plane, offset) == 16 && offsetof(Plane, material) == 20);
 static_assert(sizeof(BvhNode) == 128 && offsetof(BvhNode, first) == 96);
 static_assert(sizeof(Triangle) == 16 && offsetof(Triangle, material) == 12);
-static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, faded) == 16);
+static_assert(sizeof(RayCounts) == 24 && offsetof(RayCounts, cut_off) == 16);
 }  // namespace stagelight::device
 #endif
 

@@ -7,28 +7,13 @@
 #include "texture.cl"
 
 // #region shares
-// How a material divides the light it sends on: what comes straight from the lights, and
-// what it reflects.
-static float diffuse_share(const Material *material) {
-    switch (material->type) {
-    case MATERIAL_DIFFUSE:
-        return 1.0f;
-    case MATERIAL_GLOSSY:
-        return 1.0f - material->as.glossy.specularity;
-    default:
-        return 0.0f;
-    }
-}
-
+// Of the light that a material sends on, the share that it reflects. What it does not comes straight from the
+// lights.
 static float reflected_share(const Material *material) {
-    switch (material->type) {
-    case MATERIAL_MIRROR:
-        return 1.0f;
-    case MATERIAL_GLOSSY:
+    if (material->type == MATERIAL_GLOSSY) {
         return material->as.glossy.specularity;
-    default:
-        return 0.0f;
     }
+    return material->type == MATERIAL_MIRROR ? 1.0f : 0.0f;
 }
 // #endregion shares
 
@@ -56,6 +41,7 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
             return false;
         }
         spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
+        return false;
     }
     // #endregion shade_dielectric
     // #region shade_shares
@@ -63,9 +49,8 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     if (HAS_REFLECTION && reflected > 0.0f) {
         spawn_reflected(stack, incoming, surface, reflected * weight, counts);
     }
-    const float diffuse = diffuse_share(&material);
-    *direct_weight = diffuse * weight;
-    return diffuse > 0.0f;
+    *direct_weight = (1.0f - reflected) * weight;
+    return reflected < 1.0f;
     // #endregion shade_shares
 }
 // #endregion shade

@@ -10,15 +10,16 @@
 // Where the ray enters each box of a node; below 0 where it is not in it anywhere before t_max. A box is where
 // three slabs meet (Kay and Kajiya, Ray Tracing Complex Scenes, 1986). Rounding moves a plane by some units in the
 // last place of the two coordinates that it is measured between: the host has padded the boxes
-// (common/device/bvh.cpp), here is the padding for where the ray is. With it, a direction of 0 may be taken for
-// the smallest that counts. fmax and fmin keep the box where a distance is not a number.
+// (common/device/bvh.cpp), here is the padding for where the ray is. With it, a ray in the plane of a side stays
+// inside. fmax and fmin keep the box where a distance is not a number.
 static float4 enter_boxes(__global const BvhNode *node, const Ray ray, const float t_max) {
     const float origin[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
     const float direction[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
     float4 enter = 0.0f, leave = t_max;
 #pragma unroll  // else PoCL leaves both arrays in memory
     for (int axis = 0; axis < 3; ++axis) {
-        const float inverse = 1.0f / (fabs(direction[axis]) < 1e-24f ? 1e-24f : direction[axis]);
+        const float inverse =
+            1.0f / (fabs(direction[axis]) < SMALLEST_DIRECTION ? SMALLEST_DIRECTION : direction[axis]);
         const float padding = copysign(origin[axis] * PADDING, inverse);
         const float4 near = XYZW(node->planes[inverse < 0.0f ? axis + 3 : axis]);
         const float4 far = XYZW(node->planes[inverse < 0.0f ? axis : axis + 3]);
@@ -98,7 +99,7 @@ static bool any_shape_on_ray(const Scene *scene, const Ray ray) {
 }
 
 static bool any_shape_on_line(const Scene *scene, const Line line) {
-    const Ray ray = {line.origin, unit(line.destination - line.origin)};
+    const Ray ray = {line.origin, normalize(line.destination - line.origin)};
     Hit hit = {distance(line.origin, line.destination), SHAPE_NONE};
     return walk_tree(scene, ray, true, &hit);
 }

@@ -8,8 +8,7 @@
 // #region edges
 // A triangle by its first corner and the ways from there to the other two.
 typedef struct Edges {
-    float3 corner;
-    float3 b, c;
+    float3 corner, b, c;
 } Edges;
 // #endregion edges
 
@@ -74,8 +73,7 @@ static bool intersect_line_triangle(const Line line, const Edges triangle) {
 static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) {
     const Triangle triangle = scene->triangles[hit.index];
     const Edges edges = triangle_edges(scene, hit.index);
-    const float b = hit.barycentric.x;
-    const float c = hit.barycentric.y;
+    const float b = hit.barycentric.x, c = hit.barycentric.y;
     const float a = 1.0f - b - c;
     surface->position = edges.corner + b * edges.b + c * edges.c;
     // #region blended_normal
@@ -105,8 +103,8 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
 // #region finish_triangle
 // The facet's normal is on the side of the vertices' normals, whichever way round the corners are.
 static void finish_triangle(Surface *surface) {
-    surface->normal = unit(surface->normal);
-    const float3 facet = unit(surface->geometric_normal);
+    surface->normal = normalize(surface->normal);
+    const float3 facet = normalize(surface->geometric_normal);
     surface->geometric_normal = dot(facet, surface->normal) < 0.0f ? -facet : facet;
 }
 // #endregion finish_triangle

@@ -27,7 +27,7 @@ LEARNT = {
     7: {"PICTURE_IS_IMAGE": 1},
     9: {"HAS_TREE": 1, "HAS_FMA": 1},
     10: {"WIDTH": 16, "PACKETS": 4},
-    11: {"HAS_DIELECTRIC_MESH": 1, "FADED_ONE_IN": 4096},
+    11: {"HAS_DIELECTRIC_MESH": 1, "CUTOFF_ONE_IN": 4096},
 }
 # And those that stand for a count of things which the scene may lack.
 COUNTS = {"sphere_count": "HAS_SPHERES", "plane_count": "HAS_PLANES", "light_count": "HAS_LIGHTS",
@@ -109,7 +109,7 @@ def term_value(term, names):
     term = term.strip()
     if count := re.fullmatch(r"\w+ < scene->(\w+)", term):
         return None if names.get(COUNTS.get(count[1], "")) else False
-    if not re.fullmatch(r"!?(HAS_|METHOD_|FADED_)\w+( > 0)?", term):
+    if not re.fullmatch(r"!?(HAS_|METHOD_|CUTOFF_)\w+( > 0)?", term):
         return None
     return value_of(term, names)
 
@@ -136,7 +136,8 @@ def resolved(lines, names):
             other = text[begin + 2:after - 1]
         rest = [term for term, value in zip(terms, values) if value is None]
         if rest and False not in values:
-            text = text[:found.end()] + head.replace(condition, "&&".join(rest).lstrip()) + text[end - 1:]
+            kept = condition[:condition.index(condition.strip())] + "&&".join(rest).lstrip()
+            text = text[:found.end()] + head.replace(condition, kept) + text[end - 1:]
         else:  # what is done always, or never, stands alone or not at all
             kept = other if False in values else within
             text = text[:found.start()] + re.sub(r"^    ", "", kept.rstrip(" "), flags=re.MULTILINE) + text[after + 1:]
@@ -149,13 +150,19 @@ def code_of(line):
     return line.split("//")[0].rstrip()
 
 
-def pieces_of(lines):
-    """Functions, types and macros of a file, each with the comment above it, without regions' ends."""
+def pieces_of(lines, with_regions=False):
+    """Functions, types and macros of a file, each with the comment above it. The marks of regions are left out, or
+    outside of others a piece each."""
     piece = []
     depth = 0
     for line in lines:
         if re.match(r"\s*// (#(end)?region|SPDX)", line):
-            continue
+            if not with_regions:
+                continue
+            if depth == 0:
+                yield from ([piece, [line]] if piece else [[line]])
+                piece = []
+                continue
         piece.append(line)
         code = code_of(line)
         depth += code.count("{") - code.count("}")
@@ -187,9 +194,9 @@ def uses_of(piece):
     return set(re.findall(r"\w+", " ".join(map(code_of, piece))))
 
 
-def reached(files):
+def reached(files, with_regions):
     """Without the pieces that nothing leads to from the kernel."""
-    pieces = {file: list(pieces_of(lines)) for file, lines in files.items()}
+    pieces = {file: list(pieces_of(lines, with_regions)) for file, lines in files.items()}
     by_name = {}
     kept = []
     for piece in itertools.chain(*pieces.values()):
@@ -235,7 +242,7 @@ def read_members(files):
 
 
 @functools.cache
-def lesson(stage, without=()):
+def lesson(stage, without=(), with_regions=False):
     """What a reader of the stage reads, or of it in a scene that has no such things: the lines of each file."""
     number = number_of(stage)
     names = {"__OPENCL_VERSION__": 120}
@@ -248,7 +255,7 @@ def lesson(stage, without=()):
     before = None
     while files != before:  # what is left out may have been all that asked for something else
         before = files
-        files = reached(read_members(files))
+        files = reached(read_members(files), with_regions)
     for first, file in BESIDE.items():
         if first <= number:
             files[ROOT / file] = (ROOT / file).read_text().splitlines()
@@ -256,9 +263,29 @@ def lesson(stage, without=()):
             if any(map(code_of, lines))}
 
 
+def moved_names(piece):
+    """What the piece is called where it may have moved from one file into another."""
+    kernel = re.match(r"__kernel void (\w+)\(", piece_start(piece))
+    return {kernel[1]} if kernel else names_of(piece)
+
+
+def compared(before, after):
+    """The lessons of both. What stands in another file in the later one is put there in the earlier one: it has been
+    read."""
+    old, new = lesson(before) if before else {}, lesson(after)
+    pieces = {file: list(pieces_of(lines)) for file, lines in old.items()}
+    now = {name: file for file, lines in new.items() for piece in pieces_of(lines) for name in moved_names(piece)}
+    moved = {file: [] for file in old.keys() | new.keys()}
+    for file, of_file in pieces.items():
+        for piece in of_file:
+            places = {now.get(name, file) for name in moved_names(piece)} or {file}
+            moved[file if len(places) > 1 else places.pop()] += piece
+    return {file: lines for file, lines in moved.items() if lines}, new
+
+
 def difference(before, after):
     """Unified, a file at a time."""
-    old, new = lesson(before), lesson(after)
+    old, new = compared(before, after)
     lines = []
     for file in sorted(old.keys() | new.keys()):
         lines += difflib.unified_diff(old.get(file, []), new.get(file, []), file, file, lineterm="")
@@ -275,9 +302,9 @@ def counts(lines):
 
 def added_by_file(before, after):
     """Of each file of the later lesson: how many lines of code it has more than in the earlier one."""
-    old = lesson(before) if before else {}
+    old, new = compared(before, after)
     return {file: counts(list(difflib.unified_diff(old.get(file, []), lines, lineterm="")))[0]
-            for file, lines in lesson(after).items()}
+            for file, lines in new.items()}
 
 
 def introduced(before, after):
@@ -326,16 +353,17 @@ def show(before, after):
 
 def hold_to_parts(before, after, budget):
     """Of a stage that is taught in parts, each of some modules; whether each part keeps to its budget."""
-    left = added_by_file(before, after)  # in no part so far
+    left = {file.removeprefix("kernels/").removeprefix(f"stages/{after.name}/"): lines
+            for file, lines in added_by_file(before, after).items()}  # in no part so far
     kept = True
     for part, modules in budget["parts"].items():
-        lines = sum(left.pop("kernels/" + module, 0) for module in modules)
+        lines = sum(left.pop(module, 0) for module in modules)
         print(f"{after.name:24} {lines:4} lines more, of {budget['part_lines']} at the most: {part}")
         if lines > budget["part_lines"]:
             print("  too many: make the part smaller")
             kept = False
     for file, lines in left.items():
-        if lines and file.startswith("kernels/"):
+        if lines:
             print(f"  {file}: in no part of stages/budget.toml")
             kept = False
     return kept

@@ -9,7 +9,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True  # a folder in stages/ is a stage
-from difference import code_of, lesson, names_of, number_of, pieces_of, stages  # noqa: E402
+from difference import code_of, compared, lesson, names_of, number_of, pieces_of, stages  # noqa: E402
 
 
 def marked(old, new):
@@ -40,7 +40,7 @@ def head_of(lines):
 
 def page(before, stage, function="", without=()):
     """Lines; with a function, of it alone, and none where the lesson has no such."""
-    old = lesson(before) if before else {}
+    old, _ = compared(before, stage)
     for file, lines in lesson(stage, without).items():
         pieces = [without_gaps(piece) for piece in pieces_of(without_head(lines))]
         earlier = [without_gaps(piece) for piece in pieces_of(without_head(old.get(file, [])))]

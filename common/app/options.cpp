@@ -159,7 +159,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_option("--method", methods,
                    "KIND=NAME, one way to do what can be done in several; 'list' lists them")
         ->take_all();
-    if (stage_number(stage) >= fading_stage) {
+    if (stage_number(stage) >= cutoff_stage) {
         app.add_option(
                "--max-error", options.max_error,
                "choose the fastest methods and depth whose picture is off from the truth by "

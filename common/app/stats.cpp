@@ -32,16 +32,16 @@ ordered_json left_out_json(const SceneNeeds &needs, int stage) {
     return json;
 }
 
-// No pixel is off by more for want of the rays that had faded.
-double fading_error(const RunFigures &figures) {
-    return figures.rays.faded > 0 ? figures.rays.faded_weight * figures.brightest : 0;
+// No pixel is off by more because of the rays that were cut off.
+double cutoff_error(const RunFigures &figures) {
+    return figures.rays.cut_off > 0 ? figures.rays.cut_off_weight * figures.brightest : 0;
 }
 
-ordered_json faded_json(const RunFigures &figures) {
-    return {{"count", figures.rays.faded},
-            {"largest_sum_of_weights", figures.rays.faded_weight},
+ordered_json cut_off_json(const RunFigures &figures) {
+    return {{"count", figures.rays.cut_off},
+            {"largest_sum_of_weights", figures.rays.cut_off_weight},
             {"brightest", figures.brightest},
-            {"error_at_most", fading_error(figures)}};
+            {"error_at_most", cutoff_error(figures)}};
 }
 
 ordered_json methods_json(int stage, const Methods &chosen) {
@@ -111,10 +111,10 @@ void report_details(const std::string &stage, const StageKernel &kernel,
         fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
                    settings.max_depth);
     }
-    if (figures.rays.faded > 0) {
+    if (figures.rays.cut_off > 0) {
         fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
                    "{:.2g}\n",
-                   figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
+                   figures.rays.cut_off, cutoff_of(settings.methods), cutoff_error(figures));
     }
     std::string left;
     for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
@@ -188,7 +188,7 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
         {"frames", {{"milliseconds", figures.frames}, {"median", median(figures.frames)}}},
         {"rays", rays_json(figures.rays)},
         {"dropped_rays", figures.rays.dropped},
-        {"faded_rays", faded_json(figures)},
+        {"cut_off_rays", cut_off_json(figures)},
         {"bytes_on_device", bytes_json(figures.bytes_on_device)},
         {"needs", needs_json(kernel.needs())},
         {"left_out", left_out_json(kernel.needs(), stage_number(stage))},

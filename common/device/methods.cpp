@@ -33,7 +33,7 @@ const std::vector<Method> &all_methods() {
         {"origin", "fixed", 2, "", "off the surface by 0.001"},
         {"origin", "integer", 2, "", "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
         {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
-        {"fresnel", "exact", fading_stage, "",
+        {"fresnel", "exact", cutoff_stage, "",
          "Fresnel's equations, for light that is not polarised"},
         {"fresnel", "none", glass_stage, "", "no reflection, short of total internal reflection"},
         {"interior", "full", glass_stage, "-D METHOD_INTERIOR_PAPER=0",
@@ -63,10 +63,10 @@ const std::vector<Method> &all_methods() {
          "-cl-fast-relaxed-math: and reordered, with no thought of NaN and infinity"},
         {"math", "fp64", 1, "-D METHOD_MATH_FP64=1",
          "in double, on what lies in memory as float; where the device has cl_khr_fp64"},
-        {"depth", "contribution", fading_stage, "",
+        {"depth", "contribution", cutoff_stage, "",
          "until a ray carries less than 1/4096 of a pixel"},
-        {"depth", "coarse", fading_stage, "", "until a ray carries less than 1/64 of a pixel"},
-        {"depth", "fixed", fading_stage, "", "every ray, to the depth limit"},
+        {"depth", "coarse", cutoff_stage, "", "until a ray carries less than 1/64 of a pixel"},
+        {"depth", "fixed", cutoff_stage, "", "every ray, to the depth limit"},
         {"walk", "beam", packet_stage, "",
          "down the tree with four packets as one beam (Reshetov et al. 2005), then each by itself"},
         {"walk", "packet", packet_stage, "",
@@ -189,9 +189,9 @@ std::string options_of(const Methods &methods) {
     return options;
 }
 
-int fade_at_of(const Methods &methods) {
+int cutoff_of(const Methods &methods) {
     const std::string depth = choice(methods, "depth");
-    return depth == "fixed" ? 0 : depth == "coarse" ? 64 : faded_one_in;
+    return depth == "fixed" ? 0 : depth == "coarse" ? 64 : cutoff_one_in;
 }
 
 Transfer decode_of(int stage, const Methods &methods) {

@@ -40,7 +40,7 @@ using Methods = std::map<std::string, std::string>;
 Methods files_of(Methods methods, const SceneNeeds &needs);
 
 // The name that was chosen for a kind, or its default at `stage`.
-std::string choice(const Methods &methods, const std::string &kind, int stage = fading_stage);
+std::string choice(const Methods &methods, const std::string &kind, int stage = cutoff_stage);
 
 // The choices, and for each other kind that the stage has, its default.
 Methods with_defaults(Methods methods, int stage);
@@ -56,8 +56,8 @@ bool matters(const std::string &kind, const SceneNeeds &needs);
 // What kernels are built with for the chosen methods.
 std::string options_of(const Methods &methods);
 
-// Rays fade that carry less than one part in so many of a pixel; 0 for none (kind "depth").
-int fade_at_of(const Methods &methods);
+// Rays are cut off that carry less than one part in so many of a pixel; 0 for none (kind "depth").
+int cutoff_of(const Methods &methods);
 
 // The curve that texels are decoded with on load (kind "decode"), and the one that a picture is
 // encoded with where it is shown or stored in few bits ("encode"): none before stage 08.

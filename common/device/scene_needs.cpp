@@ -53,7 +53,7 @@ bool has_dielectric_mesh(const Scene &scene) {
         scene, [](const Material &material) { return material.type == MaterialType::dielectric; });
 }
 
-void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int fade_at) {
+void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int cutoff) {
     const std::set<int> used = used_materials(scene);
     const auto uses = [&](MaterialType type) {
         return std::ranges::any_of(used, [&](int index) {
@@ -77,7 +77,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
-    needs.emplace_back("FADED_ONE_IN", reflection || dielectric ? fade_at : 0);
+    needs.emplace_back("CUTOFF_ONE_IN", reflection || dielectric ? cutoff : 0);
     // Only where a ray splits in two is one left waiting, at each depth.
     needs.emplace_back("STACK_SIZE", dielectric ? max_depth + 1 : 1);
     // #endregion shading_needs
@@ -92,7 +92,7 @@ bool has_textured_mesh(const Scene &scene) {
 
 int depth_of(const Scene &scene, int stage) {
     constexpr int deepest = 16;
-    if (stage < fading_stage || scene.has_max_depth) {
+    if (stage < cutoff_stage || scene.has_max_depth) {
         return scene.max_depth;
     }
     // #region depth_of
@@ -104,7 +104,7 @@ int depth_of(const Scene &scene, int stage) {
         return scene.max_depth;
     }
     int depth = 0;
-    for (double weight = share; weight * faded_one_in >= 1 && depth < deepest; weight *= share) {
+    for (double weight = share; weight * cutoff_one_in >= 1 && depth < deepest; weight *= share) {
         ++depth;
     }
     return depth;
@@ -132,7 +132,7 @@ std::string definitions_of(const SceneNeeds &needs) {
         {"HAS_TEXTURES", 0},
         {"HAS_MESH_TEXTURES", 0},
         {"MAX_DEPTH", 0},
-        {"FADED_ONE_IN", 0},
+        {"CUTOFF_ONE_IN", 0},
         {"STACK_SIZE", 1},
         {"WIDTH", 1},
         {"BVH_STACK_SIZE", 1},
@@ -144,13 +144,13 @@ std::string definitions_of(const SceneNeeds &needs) {
     return definitions;
 }
 
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at) {
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff) {
     SceneNeeds needs;
     needs.emplace_back("HAS_SPHERES", !scene.spheres.empty());
     needs.emplace_back("HAS_PLANES", !scene.planes.empty());
     needs.emplace_back("HAS_TRIANGLES", !scene.triangles.empty());
     if (stage > 1) {
-        add_shading_needs(needs, scene, max_depth, stage >= fading_stage ? fade_at : 0);
+        add_shading_needs(needs, scene, max_depth, stage >= cutoff_stage ? cutoff : 0);
     }
     std::erase_if(needs, [](const auto &need) {
         return need.second == 0 && need.first != "MAX_DEPTH";  // a limit, not a count

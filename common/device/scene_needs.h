@@ -11,16 +11,16 @@
 
 namespace stagelight {
 
-// From this stage on a ray that carries less than one part in `faded_one_in` of a pixel is not
+// From this stage on a ray that carries less than one part in `cutoff_one_in` of a pixel is not
 // traced, and the depth follows from the scene. Measured at 320x192 on the room, Suzanne in glass
 // and the amber of 04_interior: no pixel is off by more than 0.00094, a quarter of 1/255, and none
 // by more than one code of an sRGB picture, for 20, 45 and 42 % fewer rays; with 1/1024 by 0.0038,
 // and by four codes and more.
-constexpr int fading_stage = 11;
-constexpr int faded_one_in = 4096;
+constexpr int cutoff_stage = 11;
+constexpr int cutoff_one_in = 4096;
 
 // How many bounces `stage` follows where no --depth says it: what the scene's file says, else 8;
-// but from stage 11 on no more than it takes until every ray has faded, where the materials'
+// but from stage 11 on no more than it takes until every ray is cut off, where the materials'
 // colours and shares alone see to that, and then at most 16.
 int depth_of(const Scene &scene, int stage);
 
@@ -28,8 +28,9 @@ int depth_of(const Scene &scene, int stage);
 using SceneNeeds = std::vector<std::pair<std::string, int>>;
 
 // `stage` is the number of the stage that draws: 01 knows neither materials nor lights. Where the
-// stage has that, rays fade that carry less than one part in `fade_at` of a pixel; none does at 0.
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int fade_at = faded_one_in);
+// stage has that, rays are cut off that carry less than one part in `cutoff` of a pixel; none is at
+// 0.
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff = cutoff_one_in);
 
 // 0 for what is not among them.
 int value_of(const SceneNeeds &needs, const std::string &name);

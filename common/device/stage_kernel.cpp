@@ -104,8 +104,8 @@ RayTotals &RayTotals::operator+=(const RayTotals &more) {
     reflection += more.reflection;
     refraction += more.refraction;
     dropped += more.dropped;
-    faded += more.faded;
-    faded_weight = std::max(faded_weight, more.faded_weight);
+    cut_off += more.cut_off;
+    cut_off_weight = std::max(cut_off_weight, more.cut_off_weight);
     return *this;
 }
 
@@ -118,8 +118,8 @@ RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixe
                    row.reflection,
                    row.refraction,
                    row.dropped,
-                   row.faded,
-                   static_cast<double>(row.faded_weight) / FADED_WEIGHT_ONE};
+                   row.cut_off,
+                   static_cast<double>(row.cut_off_weight) / CUT_OFF_WEIGHT_ONE};
     }
     return totals;
 }
@@ -191,8 +191,8 @@ device::double2 sample_point(int index, int count) {
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
-    : context_(context), needs_(needs_of(scene, stage_number(stage), settings.max_depth,
-                                         fade_at_of(settings.methods))),
+    : context_(context),
+      needs_(needs_of(scene, stage_number(stage), settings.max_depth, cutoff_of(settings.methods))),
       samples_(settings.samples), is_double_(is_double(settings.methods)) {
     const int number = stage_number(stage);
     const Transfer decode = decode_of(number, settings.methods);

@@ -40,8 +40,8 @@ struct RayTotals {
     std::uint64_t reflection = 0;
     std::uint64_t refraction = 0;
     std::uint64_t dropped = 0;  // cut off by the depth limit
-    std::uint64_t faded = 0;    // too weak to be traced
-    double faded_weight = 0;    // the largest sum of their weights in one sample of a pixel
+    std::uint64_t cut_off = 0;  // too weak to be traced
+    double cut_off_weight = 0;  // the largest sum of their weights in one sample of a pixel
 
     RayTotals &operator+=(const RayTotals &more);
     std::uint64_t traced() const { return primary + shadow + reflection + refraction; }

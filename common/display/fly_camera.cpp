@@ -7,7 +7,7 @@
 
 #include <glm/trigonometric.hpp>
 
-#include "scene/unit_vector.h"
+#include "scene/normalize.h"
 
 namespace stagelight {
 namespace {
@@ -29,9 +29,9 @@ struct Axes {
 };
 
 Axes axes_of(const CameraDescription &camera) {
-    const glm::dvec3 forward = unit_vector(camera.look_at - camera.position);
-    const glm::dvec3 up = unit_vector(camera.up);
-    return {forward, unit_vector(glm::cross(forward, up)), up};
+    const glm::dvec3 forward = normalize(camera.look_at - camera.position);
+    const glm::dvec3 up = normalize(camera.up);
+    return {forward, normalize(glm::cross(forward, up)), up};
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "scene/normalize.h"
 #include "scene/number_rules.h"
-#include "scene/unit_vector.h"
 
 namespace stagelight {
 
@@ -108,10 +108,9 @@ private:
                                   static_cast<std::uint32_t>(scene_.vertices.size()));
         if (is_new) {
             const glm::dvec3 normal = normals_to_world_ * to_glm(mesh_.mNormals[index]);
-            scene_.vertices.push_back(
-                {.position = position,
-                 .normal = unit_vector(is_direction(normal) ? normal : facing),
-                 .texture_coordinates = {uv.x, uv.y}});
+            scene_.vertices.push_back({.position = position,
+                                       .normal = normalize(is_direction(normal) ? normal : facing),
+                                       .texture_coordinates = {uv.x, uv.y}});
         }
         return known->second;
     }

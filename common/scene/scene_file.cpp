@@ -12,10 +12,10 @@
 #include "scene/errors.h"
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
+#include "scene/normalize.h"
 #include "scene/number_rules.h"
 #include "scene/progress.h"
 #include "scene/toml_reader.h"
-#include "scene/unit_vector.h"
 
 namespace stagelight {
 namespace {
@@ -52,7 +52,7 @@ CameraDescription read_camera(const TableReader &table) {
                                     to_string(where)));
     }
     // A smaller angle between them than this is lost in single precision.
-    if (glm::length(glm::cross(unit_vector(camera.look_at - camera.position), camera.up)) < 1e-6) {
+    if (glm::length(glm::cross(normalize(camera.look_at - camera.position), camera.up)) < 1e-6) {
         throw UserError(fmt::format("{}: the camera looks along up, expected another look_at or up",
                                     to_string(where)));
     }

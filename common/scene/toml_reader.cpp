@@ -9,7 +9,7 @@
 
 #include "scene/errors.h"
 #include "scene/names.h"
-#include "scene/unit_vector.h"
+#include "scene/normalize.h"
 
 namespace stagelight {
 namespace {
@@ -141,7 +141,7 @@ glm::dvec3 TableReader::direction(std::string_view key, std::optional<glm::dvec3
         throw UserError(fmt::format("{}: {} is zero, expected a vector with a direction",
                                     to_string(where(key)), key));
     }
-    return unit_vector(given);
+    return normalize(given);
 }
 
 std::string TableReader::text(std::string_view key) const {

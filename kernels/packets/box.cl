@@ -11,14 +11,8 @@ static float plane_of(__global const BvhNode *node, const int row, const int chi
 // #region slab
 // A box is where three slabs meet (Kay and Kajiya, Ray Tracing Complex Scenes, 1986). This is what a
 // ray's tests against all slabs of an axis have in common: the plane at p is met at the distance
-// p * inverse + low, or + high; between the two lies what rounding can do.
-//
-// Rounding moves a plane by some units in the last place of the two coordinates that it is measured
-// between. The host has padded the boxes (common/device/bvh.cpp); here is the padding for where the
-// ray is. With it, a direction of 0 may be taken for the smallest that counts: a ray in the
-// plane of a side stays inside. Every choice between two numbers below keeps the box where one of
-// them is not a number.
-#define SMALLEST_DIRECTION 1e-24f
+// p * inverse + low, or + high; between the two lies what rounding can do (kernels/tree.cl, enter_boxes). Every
+// choice between two numbers below keeps the box where one of them is not a number.
 
 // #region slab_axis
 typedef struct SlabAxis {

@@ -15,7 +15,7 @@ static WideRays camera_rays(const Camera *camera, const int2 corner) {
     const Wide3 at_column = wide_sum(wide3(XYZ(camera->corner)), wide_scaled(x, wide3(XYZ(camera->right))));
     WideRays rays;
     rays.origin = wide3(XYZ(camera->position));
-    rays.direction = wide_unit(wide_sum(at_column, wide_scaled(y, wide3(XYZ(camera->down)))));
+    rays.direction = wide_normalize(wide_sum(at_column, wide_scaled(y, wide3(XYZ(camera->down)))));
     const WideInt inside = (column < (float)camera->size.x) & (row < (float)camera->size.y);
     rays.t_max = inside ? (Wide)(INFINITY) : (Wide)(-1.0f);
     return rays;

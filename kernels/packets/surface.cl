@@ -34,8 +34,8 @@ static void put_surface(SurfaceLanes *lanes, const int lane, const Surface *surf
 static WideSurfaces finish_surfaces(const WideRays *rays, const SurfaceLanes *lanes) {
     WideSurfaces surfaces;
     surfaces.position = load_lanes(&lanes->position);
-    surfaces.normal = wide_unit(load_lanes(&lanes->normal));
-    surfaces.geometric_normal = wide_unit(load_lanes(&lanes->geometric_normal));
+    surfaces.normal = wide_normalize(load_lanes(&lanes->normal));
+    surfaces.geometric_normal = wide_normalize(load_lanes(&lanes->geometric_normal));
     const WideInt inward = wide_dot(surfaces.geometric_normal, surfaces.normal) < 0.0f;
     surfaces.geometric_normal = turned(inward, surfaces.geometric_normal);
     surfaces.from_behind = wide_dot(surfaces.geometric_normal, rays->direction) > 0.0f;

@@ -182,8 +182,8 @@ static void trace_packets(const Scene *scene, WideRays *rays, Wide3 *colors, Ray
             sum->reflection += of_lane.reflection;
             sum->refraction += of_lane.refraction;
             sum->dropped += of_lane.dropped;
-            sum->faded += of_lane.faded;
-            sum->faded_weight = max(sum->faded_weight, of_lane.faded_weight);
+            sum->cut_off += of_lane.cut_off;
+            sum->cut_off_weight = max(sum->cut_off_weight, of_lane.cut_off_weight);
         }
     }
 }

@@ -31,7 +31,7 @@ __kernel void render(PICTURE image, __global RayCounts *ray_counts, const Camera
     };
     const Ray ray = camera_ray(&camera, pixel);
     const Hit hit = closest_hit(&scene, ray);
-    RayCounts counts = {0, 0, 0, 0};
+    RayCounts counts = {0, 0, 0, 0, 0, 0};
     float3 color = XYZ(scene.background);
     if (hit.shape != SHAPE_NONE) {
         const Surface surface = surface_at(&scene, ray, hit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stage 11: the full tracer. Light bends into closed meshes now, since a tree makes their many rays
-// cheap; and none is followed that has faded.
+// cheap; and none is followed that no eye could see.
 #include "packets/render.cl"
 #include "dielectric.cl"  // extended: smooth meshes, whose normal may lean away
 #include "ray_counts.cl"  // extended: rays too weak to matter

@@ -101,17 +101,17 @@ TEST_F(Stage11Needs, AreToldWithWhatTheyLeaveOut) {
 }
 
 // The floor and the light are white: nothing is brighter than 1.
-TEST_F(Stage11Needs, BoundTheErrorOfWhatHasFaded) {
+TEST_F(Stage11Needs, BoundTheErrorOfTheImportanceCutoff) {
     const json glass = stats("type = \"dielectric\"\ncolor = [0.9, 0.9, 0.9]\n", {"--depth", "40"});
-    const json &faded = glass.at("faded_rays");
-    EXPECT_GT(faded.at("count"), 0);
-    EXPECT_GT(faded.at("largest_sum_of_weights"), 0);
-    EXPECT_LT(faded.at("largest_sum_of_weights"), 0.02);
-    EXPECT_EQ(faded.at("brightest"), 1);
-    EXPECT_EQ(faded.at("error_at_most"), faded.at("largest_sum_of_weights"));
-    EXPECT_EQ(glass.at("needs").at("FADED_ONE_IN"), 4096);
-    expect_part(said(), to_string(faded.at("count")) + " rays not traced, each below 1/4096");
-    EXPECT_EQ(stats(paint).at("faded_rays").at("error_at_most"), 0);
+    const json &cut_off = glass.at("cut_off_rays");
+    EXPECT_GT(cut_off.at("count"), 0);
+    EXPECT_GT(cut_off.at("largest_sum_of_weights"), 0);
+    EXPECT_LT(cut_off.at("largest_sum_of_weights"), 0.02);
+    EXPECT_EQ(cut_off.at("brightest"), 1);
+    EXPECT_EQ(cut_off.at("error_at_most"), cut_off.at("largest_sum_of_weights"));
+    EXPECT_EQ(glass.at("needs").at("CUTOFF_ONE_IN"), 4096);
+    expect_part(said(), to_string(cut_off.at("count")) + " rays not traced, each below 1/4096");
+    EXPECT_EQ(stats(paint).at("cut_off_rays").at("error_at_most"), 0);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_F(Stage01Kernels, OnDiskChangeThePicture) {
 // leaves out.
 TEST_F(Stage01Kernels, ThatDoNotBuildAreToldByFileAndLine) {
     for (const auto &[file, right] :
-         {std::pair{"kernels/camera.cl", "unit(direction)"},
+         {std::pair{"kernels/camera.cl", "normalize(direction)"},
           std::pair{"kernels/closest_hit.cl", "closest.shape = SHAPE_NONE"}}) {
         const std::string wrong = "nowhere_declared";
         replace(file, right, wrong);

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
-#include "scene/unit_vector.h"
+#include "scene/normalize.h"
 
 namespace stagelight {
 namespace {
@@ -31,11 +31,11 @@ Input looking(double right, double down) {
 }
 
 glm::dvec3 view(const CameraDescription &camera) {
-    return unit_vector(camera.look_at - camera.position);
+    return normalize(camera.look_at - camera.position);
 }
 
 double pitch(const CameraDescription &camera) {
-    return glm::degrees(std::asin(glm::dot(view(camera), unit_vector(camera.up))));
+    return glm::degrees(std::asin(glm::dot(view(camera), normalize(camera.up))));
 }
 
 bool same_bits(const CameraDescription &a, const CameraDescription &b) {
@@ -174,7 +174,7 @@ TEST(FlyCamera, TakesAnyUp) {
         EXPECT_NEAR(pitch(camera.camera()), pitch(from), 1e-6);
         camera.update(looking(-123, 0), 0);
         expect_near(camera.camera().look_at, from.look_at, 1e-9);
-        expect_near(way(from, with(&Input::up), second), 2.0 * unit_vector(from.up));
+        expect_near(way(from, with(&Input::up), second), 2.0 * normalize(from.up));
         const glm::dvec3 aside = way(from, with(&Input::right), second);
         EXPECT_NEAR(glm::dot(aside, from.up), 0, 1e-12);
         EXPECT_NEAR(glm::dot(aside, view(from)), 0, 1e-12);

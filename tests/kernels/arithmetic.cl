@@ -14,8 +14,8 @@ static float4 from_wide(const Wide3 a) {
 __kernel void units(__global Units *results, __global const float4 *vectors) {
     const size_t i = get_global_id(0);
     const float3 vector = vectors[i].xyz;
-    results[i].one = (float4)(unit(vector), 0.0f);
-    results[i].wide = from_wide(wide_unit(wide3(vector)));
+    results[i].one = (float4)(normalize(vector), 0.0f);
+    results[i].wide = from_wide(wide_normalize(wide3(vector)));
 }
 
 // The other side of a right triangle; `side` is never above `longest`.

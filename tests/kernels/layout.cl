@@ -55,8 +55,8 @@ __kernel void layout(__global uint *results, __global const uint *indices) {
         OFFSET(RayCounts, reflection),
         OFFSET(RayCounts, refraction),
         OFFSET(RayCounts, dropped),
-        OFFSET(RayCounts, faded),
-        OFFSET(RayCounts, faded_weight),
+        OFFSET(RayCounts, cut_off),
+        OFFSET(RayCounts, cut_off_weight),
     };
     const uint count = sizeof(layout) / sizeof(layout[0]);
     const size_t i = get_global_id(0);

@@ -70,8 +70,8 @@ const std::vector<Entry> host_layout{
     OFFSET(RayCounts, reflection),
     OFFSET(RayCounts, refraction),
     OFFSET(RayCounts, dropped),
-    OFFSET(RayCounts, faded),
-    OFFSET(RayCounts, faded_weight),
+    OFFSET(RayCounts, cut_off),
+    OFFSET(RayCounts, cut_off_weight),
 };
 
 TEST_P(KernelsStage01Layout, StructsLieOnTheDeviceAsOnTheHost) {

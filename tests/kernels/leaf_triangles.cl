@@ -113,7 +113,7 @@ static Rays aimed_at_edges(__global const Single4 *corners, uint *seed) {
     float3 origins[WIDTH], directions[WIDTH];
     for (int lane = 0; lane < WIDTH; ++lane) {
         origins[lane] = somewhere_inside(corners, seed);
-        directions[lane] = unit(somewhere_on_an_edge(corners, seed) - origins[lane]);
+        directions[lane] = normalize(somewhere_on_an_edge(corners, seed) - origins[lane]);
     }
     return rays_of(origins, directions);
 }

@@ -131,16 +131,16 @@ using KernelsStage11Counts = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage11Counts, each_device(), device_name);
 
 // The rays are summed, of the weights the largest is kept: a row has many pixels.
-TEST_P(KernelsStage11Counts, KeepTheLargestFadedWeight) {
+TEST_P(KernelsStage11Counts, KeepTheLargestWeightCutOff) {
     std::vector<device::RayCounts> counts;
     for (device::uint i = 0; i < 4096; ++i) {
         counts.push_back({0, 0, 0, 0, i % 3, i % 3 == 0 ? 0U : (i * 7919) % 4096});
     }
     SceneNeeds needs = both_kinds;
-    needs.emplace_back("FADED_ONE_IN", 1024);
+    needs.emplace_back("CUTOFF_ONE_IN", 1024);
     const auto row = build("light.cl", needs).run<device::RayCounts>("count_rays", counts)[0];
-    EXPECT_EQ(row.faded, 4095U);
-    EXPECT_EQ(row.faded_weight, 4095U);
+    EXPECT_EQ(row.cut_off, 4095U);
+    EXPECT_EQ(row.cut_off_weight, 4095U);
 }
 
 }  // namespace

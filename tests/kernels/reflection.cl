@@ -40,9 +40,9 @@ __kernel void stack(__global int4 *results, __global const int *depths) {
     results[i] = (int4)(order, traced, counts.dropped, primary_depth);
 }
 
-// Traced, dropped, faded, and their weight: what becomes of one ray of that weight, and of depth in
-// w.
-__kernel void faded(__global uint4 *results, __global const float4 *weights) {
+// Traced, dropped, cut off, and their weight: what becomes of one ray of that weight, and of depth
+// in w.
+__kernel void cut_off(__global uint4 *results, __global const float4 *weights) {
     const size_t i = get_global_id(0);
     const Ray primary = {(float3)(0.0f), (float3)(0.0f, 0.0f, 1.0f)};
     RayStack stack;
@@ -53,7 +53,7 @@ __kernel void faded(__global uint4 *results, __global const float4 *weights) {
     uint traced = 0;
     RayCounts counts = {0, 0, 0, 0, 0, 0};
     push_ray(&stack, ray, &traced, &counts);
-    results[i] = (uint4)(traced, counts.dropped, counts.faded, counts.faded_weight);
+    results[i] = (uint4)(traced, counts.dropped, counts.cut_off, counts.cut_off_weight);
 }
 
 // Depth and reflection count in w of the results: what spawn_reflected puts on the stack.

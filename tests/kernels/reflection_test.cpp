@@ -108,12 +108,12 @@ TEST_P(KernelsStage03Reflection, AMirrorSpawnsOneDeeperRay) {
     EXPECT_EQ(results[2][0].x, 10) << "one dropped beyond the depth limit, none reflected";
 }
 
-using KernelsStage11Faded = OnDevice;
-INSTANTIATE_TEST_SUITE_P(On, KernelsStage11Faded, each_device(), device_name);
+using KernelsStage11ImportanceCutoff = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage11ImportanceCutoff, each_device(), device_name);
 
 // Below 1/1024 in each channel a ray is not traced, however deep it is, and its largest channel is
 // added up in units of 2^-24, rounded up. Stages that know no such limit trace what weighs nothing.
-TEST_P(KernelsStage11Faded, RaysAreNotTracedButWeighed) {
+TEST_P(KernelsStage11ImportanceCutoff, RaysAreNotTracedButWeighed) {
     const float limit = 1.0F / 1024, below = std::nextafter(limit, 0.0F);
     const std::vector<vec4> weights{{1, 1, 1, 0},
                                     {0, limit, 0, 1},
@@ -124,11 +124,11 @@ TEST_P(KernelsStage11Faded, RaysAreNotTracedButWeighed) {
     using Counts = std::vector<glm::uvec4>;
     SceneNeeds needs = with_stack;
     EXPECT_EQ(
-        build("reflection.cl", needs).run<glm::uvec4>("faded", weights),
+        build("reflection.cl", needs).run<glm::uvec4>("cut_off", weights),
         (Counts{
             {1, 0, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}}));
-    needs.emplace_back("FADED_ONE_IN", 1024);
-    EXPECT_EQ(build("reflection.cl", needs).run<glm::uvec4>("faded", weights),
+    needs.emplace_back("CUTOFF_ONE_IN", 1024);
+    EXPECT_EQ(build("reflection.cl", needs).run<glm::uvec4>("cut_off", weights),
               (Counts{{1, 0, 0, 0},
                       {1, 0, 0, 0},
                       {0, 0, 1, 16384},

@@ -13,7 +13,7 @@ INSTANTIATE_TEST_SUITE_P(Devices, Stage11Glass, each_device(), device_name);
 
 constexpr auto stage = "11_full_tracer";
 
-// Off by no more than what faded (stage 11 says how much that may be) and a few roundings.
+// Off by no more than what was cut off (stage 11 says how much that may be) and a few roundings.
 TEST_P(Stage11Glass, ASlabBendsSplitsAndAbsorbs) {
     for (const double angle : {0.0, 0.4, 0.9, 1.3}) {
         const GlassSlab slab{.angle = angle};
@@ -25,7 +25,7 @@ TEST_P(Stage11Glass, ASlabBendsSplitsAndAbsorbs) {
             const Frame frame = renderer(stage, scene, settings).render();
             const double F = exact ? fresnel_at(angle, slab.ior) : schlick_at(angle, slab.ior);
             expect_color(frame.image, 0, 0, slab.seen(F),
-                         frame.rays.faded_weight * brightest(scene) + few_roundings);
+                         frame.rays.cut_off_weight * brightest(scene) + few_roundings);
         }
     }
 }

@@ -2,7 +2,7 @@
 // What is lost between two mirrors that face each other when rays end too early. The truth is
 // closed: at each bounce the share s of the light goes on, and 1 - s is what a lit wall sends at
 // once; summed up without end that is the light of one wall that reflects nothing. Ended after
-// `depth` bounces, s^(depth + 1) of it is lost; and up to 1 / 4096 where rays end as they fade.
+// `depth` bounces, s^(depth + 1) of it is lost; and up to 1 / 4096 where rays are cut off.
 #include <cmath>
 
 #include "reference/camera.h"
@@ -54,8 +54,8 @@ TEST_P(StabilityStage11Depth, MirrorsThatFaceEachOther) {
         const Frame frame = renderer(stage, scene, settings).render();
         for (int pixel = 0; pixel < scene.width; ++pixel) {
             const double x = all_x[pixel], lost = 1 - double(frame.image.at(pixel, 0).x);
-            const double fades = methods.contains("depth") ? 0 : 1.0 / faded_one_in;
-            EXPECT_NEAR(lost, std::pow(1 - 1 / x, depth + 1), fades + render::few_roundings)
+            const double cutoff = methods.contains("depth") ? 0 : 1.0 / cutoff_one_in;
+            EXPECT_NEAR(lost, std::pow(1 - 1 / x, depth + 1), cutoff + render::few_roundings)
                 << name << " at " << x;
             sweep.add(name, x, std::abs(lost));
         }

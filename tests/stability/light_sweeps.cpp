@@ -105,15 +105,15 @@ TEST_P(StabilityStage02Light, NearFarAndAtItsRange) {
     Sweep farther(question("light_far", "A light far from a surface", "distance", "to 1e18"),
                   GetParam());
     measure(farther, program, far);
-    Sweep fading(question("light_range", "A light's range ends", "1 / (1 - distance / range)",
-                          "all of the range"),
-                 GetParam());
-    measure(fading, program, range);
+    Sweep falloff(question("light_range", "A light's range ends", "1 / (1 - distance / range)",
+                           "all of the range"),
+                  GetParam());
+    measure(falloff, program, range);
     for (const char *method : {"one ray", "side by side"}) {
         closer.expect_holds(method, 1e18);
         closer.expect_fails(method, 1e22);  // where float has no square of the distance
         farther.expect_holds(method, 1e18);
-        fading.expect_holds(method, 1e7);
+        falloff.expect_holds(method, 1e7);
     }
 }
 

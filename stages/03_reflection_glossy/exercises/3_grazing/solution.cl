@@ -4,10 +4,10 @@
 
 // kernels/shade.cl
 // #region shade_shares
-    float diffuse = diffuse_share(&material);
     const float slope = 1.0f + dot(incoming->ray.direction, surface->normal);
     const float rise = slope * slope * slope * slope * slope;
     const float head_on = reflected_share(&material);
+    float diffuse = 1.0f - head_on;
     if (material.type == MATERIAL_MIRROR) {
         const float3 color = XYZ(material.color);
         const float3 reflected = color + rise * (1.0f - color);

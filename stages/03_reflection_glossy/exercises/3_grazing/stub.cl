@@ -8,7 +8,6 @@
     if (reflected > 0.0f) {
         spawn_reflected(stack, incoming, surface, reflected * weight, counts);
     }
-    const float diffuse = diffuse_share(&material);
-    *direct_weight = diffuse * weight;
-    return diffuse > 0.0f;
+    *direct_weight = (1.0f - reflected) * weight;
+    return reflected < 1.0f;
 // #endregion shade_shares

@@ -38,11 +38,11 @@ static void spawn_reflected(RayStack *stack, const PendingRay *incoming, const S
     reflected.weight /= (float)RAYS;
     const float3 middle = reflected.ray.direction;
     const float3 axis = fabs(middle.x) < 0.9f ? (float3)(1.0f, 0.0f, 0.0f) : (float3)(0.0f, 1.0f, 0.0f);
-    const float3 across = unit(cross(middle, axis));
+    const float3 across = normalize(cross(middle, axis));
     const float3 along = cross(middle, across);
     for (int i = 0; i < RAYS; ++i) {
         const float2 point = ROUGHNESS * point_on_disc(i);
-        float3 direction = unit(middle + point.x * across + point.y * along);
+        float3 direction = normalize(middle + point.x * across + point.y * along);
         if (dot(direction, surface->geometric_normal) < 0.0f) {
             direction = reflect(direction, surface->geometric_normal);
         }

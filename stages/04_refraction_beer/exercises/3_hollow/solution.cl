@@ -26,7 +26,7 @@ static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray,
     // A point of the inner wall is far from the outer one.
     const bool inner = distance(position, center) < 0.5f * (1.0f + HOLLOW) * sphere.radius;
     const float radius = inner ? HOLLOW * sphere.radius : sphere.radius;
-    const float3 from_center = unit(position - center);
+    const float3 from_center = normalize(position - center);
     surface->normal = inner ? -from_center : from_center;  // out of the glass, so into the cavity
     surface->geometric_normal = surface->normal;
     surface->position = center + radius * from_center;

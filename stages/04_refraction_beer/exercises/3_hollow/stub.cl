@@ -18,7 +18,7 @@
 static void sphere_surface(Surface *surface, const Sphere sphere, const Ray ray, const Hit hit) {
     const float3 center = XYZ(sphere.center);
     const float3 position = ray.origin + hit.distance * ray.direction;
-    surface->normal = unit(position - center);  // your turn
+    surface->normal = normalize(position - center);  // your turn
     surface->geometric_normal = surface->normal;
     surface->position = center + sphere.radius * surface->normal;
     surface->material = sphere.material;

@@ -11,18 +11,18 @@
             if (hit.shape == SHAPE_SPHERE && bumpy.texture >= 0) {
                 const float side = surface.from_behind ? -1.0f : 1.0f;
                 const float3 outward = side * surface.normal;
-                const float3 east = unit(cross((float3)(0.0f, 1.0f, 0.0f), outward));
+                const float3 east = normalize(cross((float3)(0.0f, 1.0f, 0.0f), outward));
                 const float3 north = cross(outward, east);
                 const float3 ways[4] = {east, north, -east, -north};
                 float3 lifted[4];
                 for (int i = 0; i < 4; ++i) {
-                    const float3 neighbour = unit(outward + BUMP_STEP * ways[i]);
+                    const float3 neighbour = normalize(outward + BUMP_STEP * ways[i]);
                     const float3 texel = texture_color(
                         &bumpy, sphere_texture_coordinates(neighbour), textures);
                     const float height = BUMP_HEIGHT * (texel.x + texel.y + texel.z) / 3.0f;
                     lifted[i] = (1.0f + height) * neighbour;
                 }
                 surface.normal =
-                    side * unit(cross(lifted[0] - lifted[2], lifted[1] - lifted[3]));
+                    side * normalize(cross(lifted[0] - lifted[2], lifted[1] - lifted[3]));
             }
 // #endregion hit_surface

@@ -8,8 +8,8 @@
 #define LENS_RADIUS 0.12f
 #define LENS_RAYS 32
 #define GOLDEN_ANGLE 2.3999632f
-    const float3 across = unit(XYZ(camera.right));
-    const float3 down = unit(XYZ(camera.down));
+    const float3 across = normalize(XYZ(camera.right));
+    const float3 down = normalize(XYZ(camera.down));
     const float3 forward = cross(across, down);
     for (int packet = 0; packet < PACKETS; ++packet) {
         colors[packet] = wide3((float3)(0.0f));
@@ -26,7 +26,7 @@
             const Wide distance = FOCUS / wide_dot(direction, wide3(forward));
             const Wide3 in_focus = wide_fused(distance, direction, rays[packet].origin);
             bent[packet].origin = wide_sum(rays[packet].origin, wide3(lens_x * across + lens_y * down));
-            bent[packet].direction = wide_unit(wide_difference(in_focus, bent[packet].origin));
+            bent[packet].direction = wide_normalize(wide_difference(in_focus, bent[packet].origin));
         }
         RayCounts of_point = {0, 0, 0, 0, 0, 0};
         Wide3 seen[PACKETS];
@@ -35,8 +35,8 @@
         counts.reflection += of_point.reflection;
         counts.refraction += of_point.refraction;
         counts.dropped += of_point.dropped;
-        counts.faded += of_point.faded;
-        counts.faded_weight = max(counts.faded_weight, of_point.faded_weight);
+        counts.cut_off += of_point.cut_off;
+        counts.cut_off_weight = max(counts.cut_off_weight, of_point.cut_off_weight);
         for (int packet = 0; packet < PACKETS; ++packet) {
             colors[packet] = wide_fused((Wide)(1.0f / LENS_RAYS), seen[packet], colors[packet]);
         }

@@ -44,8 +44,8 @@ typedef struct WideRays {
         counts.reflection += traced.reflection;
         counts.refraction += traced.refraction;
         counts.dropped += traced.dropped;
-        counts.faded += traced.faded;
-        counts.faded_weight = max(counts.faded_weight, traced.faded_weight);
+        counts.cut_off += traced.cut_off;
+        counts.cut_off_weight = max(counts.cut_off_weight, traced.cut_off_weight);
         for (int packet = 0; packet < PACKETS; ++packet) {
             colors[packet] = wide_sum(colors[packet], seen[packet]);
         }

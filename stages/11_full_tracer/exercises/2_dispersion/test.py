@@ -46,7 +46,7 @@ type = "point"
 position = [2, 4, 3]
 intensity = 12
 """
-# Rays fade by their largest channel; here all are followed.
+# Rays are cut off by their largest channel; here all are followed.
 ALL = ("--method", "depth=fixed", "--depth", "6")
 
 

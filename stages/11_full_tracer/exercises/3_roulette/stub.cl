@@ -30,7 +30,7 @@ static bool survives(PendingRay *ray) {
 static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCounts *counts) {
     PendingRay survivor = ray;
     if (!survives(&survivor)) {
-        ++counts->faded;
+        ++counts->cut_off;
         return;
     }
     if (survivor.depth > MAX_DEPTH) {

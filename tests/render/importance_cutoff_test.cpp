@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 11: how deep rays go, and what is lost with those that have faded.
+// Stage 11: how deep rays go, and what is lost with those that are cut off.
 #include "render/on_each_device.h"
 #include "scene/brightest.h"
 #include "scene/scene_file.h"
@@ -7,28 +7,28 @@
 namespace stagelight::render {
 namespace {
 
-class Stage11Fading : public OnEachDevice {};
-INSTANTIATE_TEST_SUITE_P(Devices, Stage11Fading, each_device(), device_name);
+class Stage11ImportanceCutoff : public OnEachDevice {};
+INSTANTIATE_TEST_SUITE_P(Devices, Stage11ImportanceCutoff, each_device(), device_name);
 
 constexpr auto stage = "11_full_tracer";
 
 // Between mirrors that face each other a ray keeps half of its weight at each bounce: after the
 // twelfth it has 1/4096, and is still traced; the thirteenth is not.
-TEST_P(Stage11Fading, EndsTheRayBelowOnePartIn4096) {
+TEST_P(Stage11ImportanceCutoff, EndsTheRayBelowOnePartIn4096) {
     Scene scene = one_pixel({0, 0, 0}, {0, 0, -1});
     scene.max_depth = 64;
     add_plane(scene, {0, 0, 1}, {0, 0, -1}, mirror({0.5, 0.3, 0.1}));
     add_plane(scene, {0, 0, 1}, {0, 0, 1}, mirror({0.5, 0.3, 0.1}));
     const RayTotals rays = draw(stage, scene).rays;
     EXPECT_EQ(rays.reflection, 12u);
-    EXPECT_EQ(rays.faded, 1u);
+    EXPECT_EQ(rays.cut_off, 1u);
     EXPECT_EQ(rays.dropped, 0u);
-    EXPECT_DOUBLE_EQ(rays.faded_weight, 1.0 / 8192);
-    EXPECT_EQ(draw("10_packets", scene).rays.faded, 0u);
+    EXPECT_DOUBLE_EQ(rays.cut_off_weight, 1.0 / 8192);
+    EXPECT_EQ(draw("10_packets", scene).rays.cut_off, 0u);
 }
 
 // Stage 10 traces what stage 11 leaves out.
-TEST_P(Stage11Fading, StaysWithinItsBound) {
+TEST_P(Stage11ImportanceCutoff, StaysWithinItsBound) {
     for (const char *name : {"03_reflection_glossy", "04_interior", "07_interop"}) {
         Scene scene = load_scene(std::string(STAGELIGHT_SOURCE_DIR) + "/scenes/" + name + ".toml");
         scene.width = 80;
@@ -36,18 +36,18 @@ TEST_P(Stage11Fading, StaysWithinItsBound) {
         RenderSettings settings = settings_of(scene);
         settings.methods = {{"decode", "2.2"}};
         const Frame whole = renderer("10_packets", scene, settings).render();
-        const Frame faded = renderer(stage, scene, settings).render();
-        const double bound = faded.rays.faded_weight * brightest(scene);
+        const Frame cut = renderer(stage, scene, settings).render();
+        const double bound = cut.rays.cut_off_weight * brightest(scene);
         double worst = 0;
         for (std::size_t i = 0; i < whole.image.pixels.size(); ++i) {
-            const dvec3 off(whole.image.pixels[i] - faded.image.pixels[i]);
+            const dvec3 off(whole.image.pixels[i] - cut.image.pixels[i]);
             worst = std::max({worst, std::abs(off.x), std::abs(off.y), std::abs(off.z)});
         }
-        EXPECT_GT(faded.rays.faded, 0u) << name;
+        EXPECT_GT(cut.rays.cut_off, 0u) << name;
         EXPECT_GT(worst, 0) << name;
         EXPECT_LE(worst, bound + few_roundings) << name;
         EXPECT_LT(worst, 0.25 / 255) << name;
-        EXPECT_LT(faded.rays.traced(), whole.rays.traced()) << name;
+        EXPECT_LT(cut.rays.traced(), whole.rays.traced()) << name;
     }
 }
 

@@ -11,7 +11,7 @@ namespace stagelight {
 
 // `vector`, which is not zero, at length 1. Scaled first: the squares of tiny
 // components would vanish.
-inline glm::dvec3 unit_vector(const glm::dvec3 &vector) {
+inline glm::dvec3 normalize(const glm::dvec3 &vector) {
     const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
     const glm::dvec3 scaled = vector / largest;
     return scaled / glm::length(scaled);
