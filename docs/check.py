@@ -13,6 +13,9 @@ from pathlib import Path
 
 import recorded
 
+sys.path.append(str(Path(__file__).resolve().parent.parent / "stages"))
+import difference  # noqa: E402
+
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 HEADINGS = ["The question", "The idea", "The mathematics", "The code", "What changed", "The picture", "What it costs",
@@ -82,13 +85,17 @@ def check_code_font(page, known, paths):
 
 
 def check_listings(page):
+    stage = ROOT / "stages" / page.stem
+    shown = difference.lesson(stage, with_regions=True) if stage.is_dir() else {}  # docs/generate.py, show_lessons
     for number, line in enumerate(page.read_text().splitlines(), 1):
         if listing := re.match(r"<<< (\S+?)(?:#(\w+))?\{", line):
             file, region = (page.parent / listing[1]).resolve(), listing[2]
             if not file.is_file():
                 wrong(page, number, f"there is no file {listing[1]}")
-            elif region and any(len(re.findall(rf"#{mark} {region}$", file.read_text(), re.MULTILINE)) != 1
-                                for mark in ("region", "endregion")):
+                continue
+            text = "\n".join(shown.get(str(file.relative_to(ROOT)), [])) or file.read_text()
+            if region and any(len(re.findall(rf"#{mark} {region}$", text, re.MULTILINE)) != 1
+                              for mark in ("region", "endregion")):
                 wrong(page, number, f"{listing[1]} has no region {region}, or more than one")
         elif line.startswith("<<<"):
             wrong(page, number, "expected <<< FILE#REGION{LANGUAGE}")

@@ -24,6 +24,7 @@ import difference  # noqa: E402
 import exercises  # noqa: E402
 import mutate  # noqa: E402
 import recorded  # noqa: E402
+import show  # noqa: E402
 
 
 def fail(text):
@@ -62,6 +63,16 @@ def show_difference(before, after):
 def show_differences():
     for before, after in itertools.pairwise(difference.stages()):
         write(f"difference_{before.name[:2]}_{after.name[:2]}.md", show_difference(before, after))
+
+
+# --- What chapters list: no more of a kernel than their stage has learnt
+
+def show_lessons():
+    for stage in difference.stages():
+        for file, lines in difference.lesson(stage, with_regions=True).items():
+            target = GENERATED / "lessons" / stage.name / file
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text("\n".join(show.without_gaps(lines)) + "\n")
 
 
 # --- What a stage costs
@@ -229,6 +240,7 @@ def write(name, text):
 def main():
     build = Path(sys.argv[1]).resolve()
     show_differences()
+    show_lessons()
     show_costs()
     show_exercises()
     copy_sources()

@@ -37,6 +37,14 @@ export default defineConfig({
     math: true,
     theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' },
     config(md) {
+      // A chapter's listing of a kernel has no more of it than its stage has learnt.
+      md.core.ruler.before('normalize', 'lessons', (state) => {
+        const [, stage] = /chapters\/(\w+)\.md$/.exec(state.env.path ?? '') ?? []
+        if (!stage) return
+        state.src = state.src.replace(/^<<< \.\.\/\.\.\/([^#]+)/gm, (listing, file) =>
+          existsSync(resolve(docs, 'generated/lessons', stage, file))
+            ? `<<< ../generated/lessons/${stage}/${file}` : listing)
+      })
       // A table's empty corner is no heading.
       md.core.ruler.push('corners', (state) => {
         state.tokens.forEach((token, i) => {
