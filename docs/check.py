@@ -75,7 +75,7 @@ def check_code_font(page, known, paths):
         for span in re.findall(r"(?<!`)`([^`]+)`(?!`)", line):
             for path in re.findall(PATH, span):
                 name = path.removeprefix("./").replace("../", "")
-                if name.startswith(("out/", "build/", "/")) or "*" in name or "NN" in name:
+                if name.startswith(("out/", "build/", "work/", "/")) or "*" in name or "NN" in name:
                     continue
                 if not any(known_path.endswith("/" + name) for known_path in paths):
                     wrong(page, number, f"there is no file {path}")

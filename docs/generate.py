@@ -108,12 +108,12 @@ def show_costs():
 def show_exercise(exercise):
     stage, number = exercise.parts[-3][:2], exercise.name.split("_")[0]
     command = f"./stagelight exercise {stage} {number}"
-    where = (exercise / "stub.cl").relative_to(ROOT)
+    solution = "\n".join(line for _, line in exercises.part_of(exercise / "exercise.cl", "solution"))
     return "\n".join([
         (exercise / "README.md").read_text(),
-        f"What to change is `{where}`; `{command}` builds it, draws it and tests it, and `{command} --solution` shows "
-        "where it leads.\n",
-        details("A solution", fenced("c", (exercise / "solution.cl").read_text()))])
+        f"The first time, `{command}` makes your file, `work/{exercise.parts[-3]}/{exercise.name}.cl`; then it builds, "
+        f"draws and tests what you wrote. `{command} --solution` shows where it leads.\n",
+        details("A solution", fenced("c", solution))])
 
 
 def show_exercises():
@@ -128,9 +128,11 @@ def wanted_pictures():
     wanted = {}
     for file in sorted((DOCS / "pictures").glob("*.toml")):
         for name, picture in tomllib.loads(file.read_text()).items():
-            if unknown := picture.keys() - {"stage", "scene", "options", "mutant", "regions"}:
-                fail(f"{file.relative_to(ROOT)}: {name}: {', '.join(unknown)}: expected stage, scene, options, mutant or "
-                     "regions")
+            if unknown := picture.keys() - {"stage", "scene", "options", "mutant", "regions", "part"}:
+                fail(f"{file.relative_to(ROOT)}: {name}: {', '.join(unknown)}: expected stage, scene, options, mutant, "
+                     "regions or part")
+            if picture.get("part", "solution") not in ("stub", "solution"):
+                fail(f"{file.relative_to(ROOT)}: {name}: part {picture['part']}: expected stub or solution")
             if name in wanted:
                 fail(f"{file.relative_to(ROOT)}: there is a picture {name} already")
             wanted[name] = picture
@@ -152,7 +154,7 @@ def draw(build, name, picture):
             planted_kernels(kernels, picture["mutant"])
         elif "regions" in picture:
             exercises.copy_kernels(kernels)
-            exercises.replace_regions(kernels, ROOT / picture["regions"])
+            exercises.replace_regions(kernels, ROOT / picture["regions"], picture.get("part", "solution"))
         command = [build / "stages" / picture["stage"], *([ROOT / picture["scene"]] if "scene" in picture else []),
                    *picture.get("options", []), "--display", "none", "--out", PUBLIC / "generated" / f"{name}.png"]
         if kernels.exists():
@@ -247,4 +249,7 @@ def main():
     draw_pictures(build)
 
 
-main()
+try:
+    main()
+except exercises.DoesNotRun as error:
+    fail(error)

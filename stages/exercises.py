@@ -4,9 +4,15 @@
 
 An exercise of a stage is a folder stages/NN_name/exercises/K_title with
   README.md    the task, and hints in steps;
-  stub.cl      regions of the kernels, each below a comment that names its file, to be changed;
-  solution.cl  the same regions as they can come to be;
+  exercise.cl  regions of the kernels, each below a comment that names its file. Where the student has something to
+               write, stub and solution stand one after the other:
+                   // #stub
+                       return INFINITY;  // your turn
+                   // #solution
+                       return t > 0.0f ? t : INFINITY;
+                   // #end
   test.py      check(attempt), which raises Wrong until the task is done.
+The student works on work/NN_name/K_title.cl, which git ignores: it begins as the stub, without the solution.
 An attempt is the stage's program with the kernels in which these regions are replaced. What its pictures
 must be is worked out in test.py with NumPy, in double, or measured on the picture: never by a kernel.
 """
@@ -34,7 +40,7 @@ class Wrong(Exception):
 
 
 class DoesNotRun(Exception):
-    """The program ends with an error: its message."""
+    """The program ends with an error: its message. Or it can't be made of the file: where, and what was expected."""
 
 
 # --- What tests expect with
@@ -184,9 +190,9 @@ def scene_text(scene):
 # --- An attempt
 
 class Attempt:
-    """The program of the exercise's stage, with the regions of stub.cl or solution.cl in its kernels."""
+    """The program of the exercise's stage, with the regions of a part of the file in its kernels."""
 
-    def __init__(self, build, exercise, file, scratch):
+    def __init__(self, build, exercise, file, part, scratch):
         self.program = build / "stages" / exercise.parent.parent.name
         self.exercise = exercise
         self.scratch = scratch
@@ -194,9 +200,9 @@ class Attempt:
         # Kernels built by an earlier run would hide no mistake, but these folders are not for keeps.
         self.environment = os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_exercises")}
         copy_kernels(self.kernels)
-        replace_regions(self.kernels, exercise / file)
+        replace_regions(self.kernels, file, part)
         # One ray in a work-item, as on a GPU, is drawn without these.
-        self.has_packets = any(target.startswith("kernels/packets/") for target, *_ in regions_of(exercise / file))
+        self.has_packets = any(target.startswith("kernels/packets/") for target, *_ in regions_of(file, part))
 
     def render(self, *options, scene=None, size=SIZE, original=False):
         """The picture, linear, (height, width, 3); of the stage's default scene where none is named. original: as
@@ -265,19 +271,39 @@ def copy_kernels(folder):
             shutil.copyfile(file, copy)
 
 
-def regions_of(file):
-    """Of a stub or a solution: file, region, its first line's number, its lines."""
-    regions, target, name = [], None, None
+MARK_AFTER = {None: "stub", "stub": "solution", "solution": "end"}
+
+
+def part_of(file, part):
+    """The lines of a part, stub or solution, with their numbers: the shared ones and its own. A mark is alone on its
+    line, in a comment of any language."""
+    lines, place, since = [], None, 0
     for number, line in enumerate(file.read_text().splitlines(), 1):
+        if not (mark := re.fullmatch(r"\W*#(stub|solution|end)\W*", line)):
+            if place in (None, part):
+                lines.append((number, line))
+        elif mark[1] == MARK_AFTER[place]:
+            place, since = None if mark[1] == "end" else mark[1], number
+        else:
+            raise DoesNotRun(f"{file.relative_to(ROOT)}:{number}: #{mark[1]}: expected #{MARK_AFTER[place]} before it")
+    if place:
+        raise DoesNotRun(f"{file.relative_to(ROOT)}:{since}: #{place}: expected #{MARK_AFTER[place]} after it")
+    return lines
+
+
+def regions_of(file, part):
+    """File, region, its lines with their numbers."""
+    regions, target, name = [], None, None
+    for number, line in part_of(file, part):
         if name is None and (mark := re.fullmatch(r"// ((?:kernels|stages)/[\w./]+)", line)):
             target = mark[1]
         elif name is None and (mark := re.fullmatch(r"// #region (\w+)", line)) and target:
             name = mark[1]
-            regions.append((target, name, number + 1, []))
+            regions.append((target, name, []))
         elif name is not None and line == f"// #endregion {name}":
             name = None
         elif name is not None:
-            regions[-1][3].append(line)
+            regions[-1][2].append((number, line))
         elif line and not line.startswith("//"):
             raise DoesNotRun(f"{file.relative_to(ROOT)}:{number}: this line is in no region")
     if name is not None or not regions:
@@ -286,17 +312,23 @@ def regions_of(file):
     return regions
 
 
-def replace_regions(folder, file):
+def replace_regions(folder, file, part):
     """The compiler's messages name the exercise's file."""
-    for target, name, first, lines in regions_of(file):
+    for target, name, lines in regions_of(file, part):
         path = folder / target
         text = path.read_text() if path.is_file() else ""
         marks = f"// #region {name}\n", f"// #endregion {name}\n"
         if any(text.count(mark) != 1 for mark in marks):
             raise DoesNotRun(f"{file.relative_to(ROOT)}: {target} has no region {name}")
         start, end = text.index(marks[0]), text.index(marks[1])
+        body, next_number = [], None
+        for number, line in lines:
+            if number != next_number:  # the other part was left out
+                body.append(f'#line {number} "{file.relative_to(ROOT)}"')
+            body.append(line)
+            next_number = number + 1
         after = text[:end].count("\n") + 1
-        body = [f'#line {first} "{file.relative_to(ROOT)}"', *lines, f'#line {after} "{target}"']
+        body.append(f'#line {after} "{target}"')
         path.write_text(text[:start] + marks[0] + "\n".join(body) + "\n" + text[end:])
 
 
@@ -308,19 +340,29 @@ def exercises(stage=None):
     return [folder for folder in found if stage in (None, folder.parts[-3], folder.parts[-3][:2])]
 
 
-def try_out(build, exercise, file):
+def students_copy(exercise):
+    """Begun from the stub where it is not there yet."""
+    copy = ROOT / "work" / exercise.parts[-3] / f"{exercise.name}.cl"
+    if not copy.exists():
+        text = "".join(f"{line}\n" for _, line in part_of(exercise / "exercise.cl", "stub"))
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(text)
+    return copy
+
+
+def try_out(build, exercise, file, part):
     """Raises Wrong or DoesNotRun where the exercise's test does."""
     spec = importlib.util.spec_from_file_location("test", exercise / "test.py")
     test = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(test)
     with tempfile.TemporaryDirectory() as scratch:
-        test.check(Attempt(build, exercise, file, Path(scratch)))
+        test.check(Attempt(build, exercise, file, part, Path(scratch)))
 
 
-def picture_of(build, exercise, file):
+def picture_of(build, exercise, file, part):
     """The stage's default scene, as the attempt draws it."""
     with tempfile.TemporaryDirectory() as scratch:
-        attempt = Attempt(build, exercise, file, Path(scratch))
+        attempt = Attempt(build, exercise, file, part, Path(scratch))
         path = Path("out/exercises") / f"{exercise.parent.parent.name}_{exercise.name}.png"
         path.parent.mkdir(parents=True, exist_ok=True)
         attempt.draw(path, size=(640, 384))
@@ -331,18 +373,18 @@ def name_of(exercise):
     return f"{exercise.parts[-3][:2]} {exercise.name}"
 
 
-def show(build, exercise, file):
+def show(build, exercise, file, part):
     """Builds, draws, opens and tests an attempt."""
     try:
-        path = picture_of(build, exercise, file)
+        path = picture_of(build, exercise, file, part)
         print(f"{name_of(exercise)}: {path}")
         if "DISPLAY" in os.environ and shutil.which("xdg-open"):
             subprocess.Popen(["xdg-open", path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try_out(build, exercise, file)
+        try_out(build, exercise, file, part)
     except (Wrong, DoesNotRun) as error:
         print(error)
         print(f"Not yet. The task and its hints: {(exercise / 'README.md').relative_to(ROOT)}; what to change: "
-              f"{(exercise / file).relative_to(ROOT)}")
+              f"{file.relative_to(ROOT)}")
         return 1
     print("Done: the test passes.")
     return 0
@@ -351,14 +393,14 @@ def show(build, exercise, file):
 def prove_one(build, exercise):
     """What is wrong with the exercise itself, if anything is; else what its stub fails by."""
     try:
-        try_out(build, exercise, "stub.cl")
+        try_out(build, exercise, exercise / "exercise.cl", "stub")
         return "the stub passes", None
     except DoesNotRun as error:
         return f"the stub does not run: {error}", None
     except Wrong as error:
         failed_by = str(error)
     try:
-        try_out(build, exercise, "solution.cl")
+        try_out(build, exercise, exercise / "exercise.cl", "solution")
     except (Wrong, DoesNotRun) as error:
         return f"the solution fails: {error}", None
     return None, failed_by
@@ -394,7 +436,14 @@ def main(build, *arguments):
         print(f"stagelight: exercise {' '.join(arguments)}: expected a stage and a number of the list that "
               "./stagelight exercise shows, and perhaps --solution", file=sys.stderr)
         return 2
-    return show(build, chosen[0], "solution.cl" if arguments[2:] else "stub.cl")
+    if arguments[2:]:
+        return show(build, chosen[0], chosen[0] / "exercise.cl", "solution")
+    try:
+        file = students_copy(chosen[0])
+    except DoesNotRun as error:
+        print(f"stagelight: {error}", file=sys.stderr)
+        return 1
+    return show(build, chosen[0], file, "stub")
 
 
 if __name__ == "__main__":

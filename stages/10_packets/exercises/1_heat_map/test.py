@@ -27,6 +27,7 @@ def check(attempt):
 
 def by_itself(attempt):
     """Stage 10 draws one ray at a time with the kernel of stage 09."""
-    single = Attempt(attempt.program.parent.parent, BY_ITSELF, "solution.cl", attempt.scratch / "by_itself")
+    single = Attempt(attempt.program.parent.parent, BY_ITSELF, BY_ITSELF / "exercise.cl", "solution",
+                     attempt.scratch / "by_itself")
     single.program = attempt.program
     return single
