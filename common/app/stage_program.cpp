@@ -141,8 +141,8 @@ bool choose_by_error(const std::string &stage, const Options &options, const Sce
 
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
-    // Before OpenCL's drivers load, which is when they are first asked for: run_apart forks, and a
-    // child that is forked beside a loading library would find the loader locked for ever.
+    // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
+    // and a child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
     require_learnt(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {

@@ -11,11 +11,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <unistd.h>
 
-#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
 #include "scene/mesh_materials.h"
 #include "scene/placed_mesh.h"
+#include "scene/sandbox.h"
 #include "scene/scene_part.h"
 
 namespace stagelight {
@@ -113,7 +113,7 @@ void import_mesh(Scene &scene, const std::filesystem::path &file, const Placemen
     if (!std::filesystem::is_regular_file(file, error)) {
         throw UserError(what + ": no such file, expected a mesh");
     }
-    const std::string part = run_apart(what, std::filesystem::file_size(file, error), [&] {
+    const std::string part = run_sandboxed(what, std::filesystem::file_size(file, error), [&] {
         const SceneSizes before(scene);
         import_here(scene, file, placement, material, where);
         return part_since(before, scene);

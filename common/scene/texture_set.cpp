@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/picture.h"
+#include "scene/sandbox.h"
 #include "scene/scene_part.h"
 
 namespace stagelight {
@@ -24,7 +24,7 @@ namespace {
 Texture read_file(const fs::path &canonical, const fs::path &file, const SourceLocation &where) {
     const std::string what = fmt::format("{}: {}", to_string(where), file.string());
     std::error_code unimportant;  // opening it will tell
-    const std::string bytes = run_apart(what, fs::file_size(canonical, unimportant), [&] {
+    const std::string bytes = run_sandboxed(what, fs::file_size(canonical, unimportant), [&] {
         std::ifstream stream(canonical, std::ios::binary);
         if (!stream) {
             throw UserError(
