@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "device/left_out.h"
+#include "device/disabled_features.h"
 #include "image/whole_file.h"
 #include "scene/lessons.h"
 
@@ -24,9 +24,9 @@ ordered_json needs_json(const SceneNeeds &needs) {
     return json;
 }
 
-ordered_json left_out_json(const SceneNeeds &needs, int stage) {
+ordered_json disabled_features_json(const SceneNeeds &needs, int stage) {
     ordered_json json = ordered_json::object();
-    for (const auto &[what, why] : left_out(needs, stage)) {
+    for (const auto &[what, why] : disabled_features(needs, stage)) {
         json[what] = why;
     }
     return json;
@@ -116,12 +116,13 @@ void report_details(const std::string &stage, const StageKernel &kernel,
                    "{:.2g}\n",
                    figures.rays.faded, fade_at_of(settings.methods), fading_error(figures));
     }
-    std::string left;
-    for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
-        left += (left.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
+    std::string disabled;
+    for (const auto &[what, why] : disabled_features(kernel.needs(), stage_number(stage))) {
+        disabled +=
+            (disabled.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
     }
-    if (!left.empty()) {
-        fmt::print("{}\n", left);
+    if (!disabled.empty()) {
+        fmt::print("{}\n", disabled);
     }
 }
 
@@ -191,7 +192,7 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
         {"faded_rays", faded_json(figures)},
         {"bytes_on_device", bytes_json(figures.bytes_on_device)},
         {"needs", needs_json(kernel.needs())},
-        {"left_out", left_out_json(kernel.needs(), stage_number(stage))},
+        {"disabled_features", disabled_features_json(kernel.needs(), stage_number(stage))},
         {"display", display_json(figures.display)},
     };
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
