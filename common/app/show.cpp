@@ -15,7 +15,7 @@
 #include "image/whole_file.h"
 #include "scene/brightest.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

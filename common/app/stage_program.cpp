@@ -23,9 +23,10 @@
 #include "scene/brightest.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/required_features.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -144,7 +145,7 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
     // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
     // and a child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
-    require_learnt(scene, stage_number(stage));
+    require_supported(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {
         warn(line);
     }

@@ -9,7 +9,7 @@
 
 #include "device/disabled_features.h"
 #include "image/whole_file.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
