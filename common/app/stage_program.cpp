@@ -20,10 +20,10 @@
 #include "image/image_io.h"
 #include "image/whole_file.h"
 #include "pov/pov_export.h"
-#include "scene/brightest.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
+#include "scene/radiance_bound.h"
 #include "scene/required_features.h"
 #include "scene/scene_file.h"
 #include "scene/stages.h"
@@ -91,7 +91,7 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     }
     progress.reset();
     figures.rays = frame.rays;
-    figures.brightest = brightest(scene);
+    figures.radiance_bound = radiance_bound(scene);
     figures.bytes_on_device = renderer.bytes();
 
     startup.skip();  // the frames after the first

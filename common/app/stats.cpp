@@ -34,13 +34,13 @@ ordered_json disabled_features_json(const SceneNeeds &needs, int stage) {
 
 // No pixel is off by more for want of the rays that had faded.
 double fading_error(const RunFigures &figures) {
-    return figures.rays.faded > 0 ? figures.rays.faded_weight * figures.brightest : 0;
+    return figures.rays.faded > 0 ? figures.rays.faded_weight * figures.radiance_bound : 0;
 }
 
 ordered_json faded_json(const RunFigures &figures) {
     return {{"count", figures.rays.faded},
             {"largest_sum_of_weights", figures.rays.faded_weight},
-            {"brightest", figures.brightest},
+            {"radiance_bound", figures.radiance_bound},
             {"error_at_most", fading_error(figures)}};
 }
 

@@ -33,7 +33,7 @@ struct DisplayFigures {
 struct RunFigures {
     std::vector<double> frames;  // milliseconds each
     RayTotals rays;              // of the last
-    double brightest = 0;        // of the scene (scene/brightest.h)
+    double radiance_bound = 0;   // of the scene (scene/radiance_bound.h)
     std::map<std::string, std::size_t> bytes_on_device;
     DisplayFigures display;
     Startup startup;

@@ -107,7 +107,7 @@ TEST_F(Stage11Needs, BoundTheErrorOfWhatHasFaded) {
     EXPECT_GT(faded.at("count"), 0);
     EXPECT_GT(faded.at("largest_sum_of_weights"), 0);
     EXPECT_LT(faded.at("largest_sum_of_weights"), 0.02);
-    EXPECT_EQ(faded.at("brightest"), 1);
+    EXPECT_EQ(faded.at("radiance_bound"), 1);
     EXPECT_EQ(faded.at("error_at_most"), faded.at("largest_sum_of_weights"));
     EXPECT_EQ(glass.at("needs").at("FADED_ONE_IN"), 4096);
     expect_part(said(), to_string(faded.at("count")) + " rays not traced, each below 1/4096");

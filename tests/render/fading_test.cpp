@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 11: how deep rays go, and what is lost with those that have faded.
 #include "render/on_each_device.h"
-#include "scene/brightest.h"
+#include "scene/radiance_bound.h"
 #include "scene/scene_file.h"
 
 namespace stagelight::render {
@@ -37,7 +37,7 @@ TEST_P(Stage11Fading, StaysWithinItsBound) {
         settings.methods = {{"decode", "2.2"}};
         const Frame whole = renderer("10_packets", scene, settings).render();
         const Frame faded = renderer(stage, scene, settings).render();
-        const double bound = faded.rays.faded_weight * brightest(scene);
+        const double bound = faded.rays.faded_weight * radiance_bound(scene);
         double worst = 0;
         for (std::size_t i = 0; i < whole.image.pixels.size(); ++i) {
             const dvec3 off(whole.image.pixels[i] - faded.image.pixels[i]);
