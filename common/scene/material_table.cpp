@@ -9,8 +9,8 @@
 #include "scene/asset_path.h"
 #include "scene/errors.h"
 #include "scene/names.h"
-#include "scene/number_rules.h"
 #include "scene/texture_set.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 namespace {

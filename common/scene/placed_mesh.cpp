@@ -14,8 +14,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "scene/number_rules.h"
 #include "scene/unit_vector.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 

@@ -12,10 +12,10 @@
 #include "scene/errors.h"
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
-#include "scene/number_rules.h"
 #include "scene/progress.h"
 #include "scene/toml_reader.h"
 #include "scene/unit_vector.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 namespace {
