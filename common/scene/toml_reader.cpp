@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "scene/errors.h"
-#include "scene/names.h"
+#include "scene/suggest.h"
 #include "scene/unit_vector.h"
 
 namespace stagelight {
@@ -73,7 +73,7 @@ void TableReader::refuse_unknown(const std::vector<std::string_view> &known) con
         if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
             throw UserError(fmt::format("{}: unknown key '{}' in {}, {}",
                                         to_string(located(key.source())), key.str(), name_,
-                                        expected_name(key.str(), known)));
+                                        suggest(key.str(), known)));
         }
     }
 }
@@ -159,7 +159,7 @@ std::string TableReader::choice(std::string_view key,
     std::string name = text(key);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
         throw UserError(fmt::format("{}: unknown {} '{}', {}", to_string(where(key)), key, name,
-                                    expected_name(name, names)));
+                                    suggest(name, names)));
     }
     return name;
 }
