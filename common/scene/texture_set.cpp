@@ -12,7 +12,7 @@
 #include "scene/errors.h"
 #include "scene/picture.h"
 #include "scene/sandbox.h"
-#include "scene/scene_part.h"
+#include "scene/serialise.h"
 
 namespace stagelight {
 
@@ -30,9 +30,9 @@ Texture read_file(const fs::path &canonical, const fs::path &file, const SourceL
             throw UserError(
                 fmt::format("{} can't be opened, expected a picture that may be read", what));
         }
-        return bytes_of(read_picture(stream, canonical, where));
+        return serialise(read_picture(stream, canonical, where));
     });
-    std::optional<Texture> texture = texture_of(bytes);
+    std::optional<Texture> texture = deserialise_texture(bytes);
     if (!texture) {
         throw UserError(what + ": can't be read: the reader went astray, expected another picture");
     }
