@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The functions that the rooms of the house are declared with.
+# The functions that the modules are declared with.
 
 option(STAGELIGHT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STAGELIGHT_SANITIZE_THREAD "Build with ThreadSanitizer" OFF)
@@ -31,21 +31,21 @@ endfunction()
 set(precompiled_headers <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <optional>
                         <sstream> <string> <vector> <glm/glm.hpp> <fmt/format.h>)
 
-# stagelight_room(NAME SOURCES … LIBRARIES … [PRECOMPILED HEADERS… | PRECOMPILED_FROM NAME]): one folder of
+# stagelight_module(NAME SOURCES … LIBRARIES … [PRECOMPILED HEADERS… | PRECOMPILED_FROM NAME]): one folder of
 # common/ as the library stagelight_NAME.
-function(stagelight_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "PRECOMPILED_FROM" "SOURCES;LIBRARIES;PRECOMPILED")
-  add_library(stagelight_${name} STATIC ${room_SOURCES})
+function(stagelight_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 module "" "PRECOMPILED_FROM" "SOURCES;LIBRARIES;PRECOMPILED")
+  add_library(stagelight_${name} STATIC ${module_SOURCES})
   target_include_directories(stagelight_${name} PUBLIC ${PROJECT_SOURCE_DIR}/common)
-  target_link_libraries(stagelight_${name} PUBLIC ${room_LIBRARIES})
+  target_link_libraries(stagelight_${name} PUBLIC ${module_LIBRARIES})
   stagelight_target(stagelight_${name})
   # Without tests somebody waits for a first picture, and the compiler mostly reads the same headers again.
   # With tests each file must show that it includes what it needs.
   if(NOT BUILD_TESTING)
-    if(room_PRECOMPILED)
-      target_precompile_headers(stagelight_${name} PRIVATE ${room_PRECOMPILED})
-    elseif(room_PRECOMPILED_FROM)
-      target_precompile_headers(stagelight_${name} REUSE_FROM stagelight_${room_PRECOMPILED_FROM})
+    if(module_PRECOMPILED)
+      target_precompile_headers(stagelight_${name} PRIVATE ${module_PRECOMPILED})
+    elseif(module_PRECOMPILED_FROM)
+      target_precompile_headers(stagelight_${name} REUSE_FROM stagelight_${module_PRECOMPILED_FROM})
     endif()
   endif()
 endfunction()

@@ -11,8 +11,8 @@
 
 #include "image/image_io.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

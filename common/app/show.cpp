@@ -13,9 +13,9 @@
 #include "display/viewer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
-#include "scene/brightest.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
+#include "scene/radiance_bound.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -80,7 +80,7 @@ RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const
         figures.frames.push_back(frame.milliseconds);
     }
     figures.rays = seen.rays;
-    figures.brightest = brightest(scene);
+    figures.radiance_bound = radiance_bound(scene);
     figures.bytes_on_device = pipeline.bytes();
     figures.startup = startup;
     figures.display = {.rung = to_string(pipeline.rung()),

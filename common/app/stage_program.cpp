@@ -20,12 +20,13 @@
 #include "image/image_io.h"
 #include "image/whole_file.h"
 #include "pov/pov_export.h"
-#include "scene/brightest.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/radiance_bound.h"
+#include "scene/required_features.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -90,7 +91,7 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     }
     progress.reset();
     figures.rays = frame.rays;
-    figures.brightest = brightest(scene);
+    figures.radiance_bound = radiance_bound(scene);
     figures.bytes_on_device = renderer.bytes();
 
     startup.skip();  // the frames after the first
@@ -141,10 +142,10 @@ bool choose_by_error(const std::string &stage, const Options &options, const Sce
 
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
-    // Before OpenCL's drivers load, which is when they are first asked for: run_apart forks, and a
-    // child that is forked beside a loading library would find the loader locked for ever.
+    // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
+    // and a child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
-    require_learnt(scene, stage_number(stage));
+    require_supported(scene, stage_number(stage));
     for (const std::string &line : open_dielectric_meshes(scene)) {
         warn(line);
     }

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "device/left_out.h"
+#include "device/disabled_features.h"
 #include "image/whole_file.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -24,9 +24,9 @@ ordered_json needs_json(const SceneNeeds &needs) {
     return json;
 }
 
-ordered_json left_out_json(const SceneNeeds &needs, int stage) {
+ordered_json disabled_features_json(const SceneNeeds &needs, int stage) {
     ordered_json json = ordered_json::object();
-    for (const auto &[what, why] : left_out(needs, stage)) {
+    for (const auto &[what, why] : disabled_features(needs, stage)) {
         json[what] = why;
     }
     return json;
@@ -34,13 +34,13 @@ ordered_json left_out_json(const SceneNeeds &needs, int stage) {
 
 // No pixel is off by more because of the rays that were cut off.
 double cutoff_error(const RunFigures &figures) {
-    return figures.rays.cut_off > 0 ? figures.rays.cut_off_weight * figures.brightest : 0;
+    return figures.rays.cut_off > 0 ? figures.rays.cut_off_weight * figures.radiance_bound : 0;
 }
 
 ordered_json cut_off_json(const RunFigures &figures) {
     return {{"count", figures.rays.cut_off},
             {"largest_sum_of_weights", figures.rays.cut_off_weight},
-            {"brightest", figures.brightest},
+            {"radiance_bound", figures.radiance_bound},
             {"error_at_most", cutoff_error(figures)}};
 }
 
@@ -116,12 +116,13 @@ void report_details(const std::string &stage, const StageKernel &kernel,
                    "{:.2g}\n",
                    figures.rays.cut_off, cutoff_of(settings.methods), cutoff_error(figures));
     }
-    std::string left;
-    for (const auto &[what, why] : left_out(kernel.needs(), stage_number(stage))) {
-        left += (left.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
+    std::string disabled;
+    for (const auto &[what, why] : disabled_features(kernel.needs(), stage_number(stage))) {
+        disabled +=
+            (disabled.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
     }
-    if (!left.empty()) {
-        fmt::print("{}\n", left);
+    if (!disabled.empty()) {
+        fmt::print("{}\n", disabled);
     }
 }
 
@@ -191,7 +192,7 @@ std::string stats_json(const std::string &stage, const cl::Device &device,
         {"cut_off_rays", cut_off_json(figures)},
         {"bytes_on_device", bytes_json(figures.bytes_on_device)},
         {"needs", needs_json(kernel.needs())},
-        {"left_out", left_out_json(kernel.needs(), stage_number(stage))},
+        {"disabled_features", disabled_features_json(kernel.needs(), stage_number(stage))},
         {"display", display_json(figures.display)},
     };
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';

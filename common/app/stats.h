@@ -33,7 +33,7 @@ struct DisplayFigures {
 struct RunFigures {
     std::vector<double> frames;  // milliseconds each
     RayTotals rays;              // of the last
-    double brightest = 0;        // of the scene (scene/brightest.h)
+    double radiance_bound = 0;   // of the scene (scene/radiance_bound.h)
     std::map<std::string, std::size_t> bytes_on_device;
     DisplayFigures display;
     Startup startup;
@@ -47,7 +47,7 @@ nlohmann::ordered_json rays_json(const RayTotals &rays);
 nlohmann::ordered_json bytes_json(const std::map<std::string, std::size_t> &sizes);
 
 // Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
-// dropped rays, bytes on the device, what the scene needed and what was left out, and how the
+// dropped rays, bytes on the device, what the scene needed and what was disabled, and how the
 // frames came to the window.
 std::string stats_json(const std::string &stage, const cl::Device &device,
                        const StageKernel &kernel, const RenderSettings &settings,

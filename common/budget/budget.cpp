@@ -10,7 +10,6 @@
 
 #include "budget/truth.h"
 #include "device/renderer.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
 
 namespace stagelight {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "device/kernel_source.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

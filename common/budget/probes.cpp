@@ -18,8 +18,8 @@
 #include "device/device_choice.h"
 #include "image/whole_file.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "scene/errors.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -172,9 +172,9 @@ void choose_method(Methods &methods, const std::string &choice, int stage) {
                                     choices_of(choice.substr(0, choice.find('=')), stage)));
     }
     if (chosen->first_stage > stage) {
-        throw UserError(fmt::format(
-            "--method {}: {} has not learnt that yet; {} is the first stage that has it", choice,
-            stage_name(stage), stage_name(chosen->first_stage)));
+        throw UserError(
+            fmt::format("--method {}: unsupported by {}; {} is the first stage that has it", choice,
+                        stage_name(stage), stage_name(chosen->first_stage)));
     }
     methods[chosen->kind] = chosen->name;
 }

@@ -13,8 +13,8 @@
 #include "image/split.h"
 #include "scene/clock.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "scene/asset_path.h"
 #include "scene/errors.h"
-#include "scene/names.h"
-#include "scene/number_rules.h"
+#include "scene/suggest.h"
 #include "scene/texture_set.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 namespace {
@@ -78,7 +78,7 @@ const MaterialTable::Named &MaterialTable::named(const TableReader &shape) const
     throw UserError(fmt::format("{}: unknown material '{}', {}", to_string(shape.where("material")),
                                 name,
                                 known.empty() ? fmt::format("expected a table [materials.{}]", name)
-                                              : expected_name(name, known)));
+                                              : suggest(name, known)));
 }
 
 int MaterialTable::textured(const Named &material) {

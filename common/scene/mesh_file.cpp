@@ -12,7 +12,7 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
-#include "scene/checked_files.h"
+#include "scene/assimp_io.h"
 #include "scene/errors.h"
 
 namespace stagelight {
@@ -128,7 +128,7 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
                                  aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer_.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, removed);
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    importer_.SetIOHandler(new CheckedFiles(has_read_failed_));  // it is the importer's now
+    importer_.SetIOHandler(new CheckedIOSystem(has_read_failed_));  // it is the importer's now
     const bool is_read = importer_.ReadFile(file.string(), 0) != nullptr;
     if (has_read_failed_) {
         refuse("can't be read, expected a disk that gives all of it");

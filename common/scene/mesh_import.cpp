@@ -11,12 +11,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <unistd.h>
 
-#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
 #include "scene/mesh_materials.h"
 #include "scene/placed_mesh.h"
-#include "scene/scene_part.h"
+#include "scene/sandbox.h"
+#include "scene/serialise.h"
 
 namespace stagelight {
 
@@ -113,13 +113,13 @@ void import_mesh(Scene &scene, const std::filesystem::path &file, const Placemen
     if (!std::filesystem::is_regular_file(file, error)) {
         throw UserError(what + ": no such file, expected a mesh");
     }
-    const std::string part = run_apart(what, std::filesystem::file_size(file, error), [&] {
+    const std::string bytes = run_sandboxed(what, std::filesystem::file_size(file, error), [&] {
         const SceneSizes before(scene);
         import_here(scene, file, placement, material, where);
-        return part_since(before, scene);
+        return serialise_since(before, scene);
     });
     scene.meshes.push_back({.file = file, .where = where});
-    if (!append_part(scene, part, where)) {
+    if (!append_serialised(scene, bytes, where)) {
         throw UserError(what + ": can't be read: the reader went astray, expected another mesh");
     }
 }

@@ -7,7 +7,7 @@
 #include <FreeImage.h>
 
 #include "scene/picture_stream.h"
-#include "scene/tga_runs.h"
+#include "scene/tga_rle.h"
 
 namespace stagelight {
 
@@ -107,8 +107,8 @@ private:
         if (format_ == FIF_JPEG) {
             return stream_.gave_nothing();
         }
-        const TgaRuns runs = format_ == FIF_TARGA ? tga_runs(stream_.stream()) : TgaRuns::none;
-        return runs == TgaRuns::none ? stream_.gave_less() : runs == TgaRuns::cut_short;
+        const TgaRle rle = format_ == FIF_TARGA ? tga_rle(stream_.stream()) : TgaRle::none;
+        return rle == TgaRle::none ? stream_.gave_less() : rle == TgaRle::cut_short;
     }
 
     PictureStream stream_;

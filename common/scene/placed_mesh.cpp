@@ -15,7 +15,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "scene/normalize.h"
-#include "scene/number_rules.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 

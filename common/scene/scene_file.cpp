@@ -13,9 +13,9 @@
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
 #include "scene/normalize.h"
-#include "scene/number_rules.h"
 #include "scene/progress.h"
 #include "scene/toml_reader.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 namespace {

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "scene/apart.h"
 #include "scene/errors.h"
 #include "scene/picture.h"
-#include "scene/scene_part.h"
+#include "scene/sandbox.h"
+#include "scene/serialise.h"
 
 namespace stagelight {
 
@@ -24,15 +24,15 @@ namespace {
 Texture read_file(const fs::path &canonical, const fs::path &file, const SourceLocation &where) {
     const std::string what = fmt::format("{}: {}", to_string(where), file.string());
     std::error_code unimportant;  // opening it will tell
-    const std::string bytes = run_apart(what, fs::file_size(canonical, unimportant), [&] {
+    const std::string bytes = run_sandboxed(what, fs::file_size(canonical, unimportant), [&] {
         std::ifstream stream(canonical, std::ios::binary);
         if (!stream) {
             throw UserError(
                 fmt::format("{} can't be opened, expected a picture that may be read", what));
         }
-        return bytes_of(read_picture(stream, canonical, where));
+        return serialise(read_picture(stream, canonical, where));
     });
-    std::optional<Texture> texture = texture_of(bytes);
+    std::optional<Texture> texture = deserialise_texture(bytes);
     if (!texture) {
         throw UserError(what + ": can't be read: the reader went astray, expected another picture");
     }

@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "scene/errors.h"
-#include "scene/names.h"
 #include "scene/normalize.h"
+#include "scene/suggest.h"
 
 namespace stagelight {
 namespace {
@@ -73,7 +73,7 @@ void TableReader::refuse_unknown(const std::vector<std::string_view> &known) con
         if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
             throw UserError(fmt::format("{}: unknown key '{}' in {}, {}",
                                         to_string(located(key.source())), key.str(), name_,
-                                        expected_name(key.str(), known)));
+                                        suggest(key.str(), known)));
         }
     }
 }
@@ -89,31 +89,31 @@ void TableReader::refuse_unless(std::initializer_list<std::string_view> types,
 }
 
 double TableReader::checked_number(const toml::node &node, std::string_view what,
-                                   const NumberRule &rule) const {
+                                   const Validator &validator) const {
     if (!node.is_number()) {
-        fail(node, what, rule.words);
+        fail(node, what, validator.words);
     }
     const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
                                            : node.as_floating_point()->get();
     if (!(std::abs(value) <= largest_number)) {
         fail(node, what, fmt::format("a finite number, at most {} in magnitude", largest_number));
     }
-    if (!rule.holds(value)) {
-        fail(node, what, rule.words);
+    if (!validator.holds(value)) {
+        fail(node, what, validator.words);
     }
     return value;
 }
 
-double TableReader::number(std::string_view key, const NumberRule &rule,
+double TableReader::number(std::string_view key, const Validator &validator,
                            std::optional<double> fallback) const {
     if (fallback && !has(key)) {
         return *fallback;
     }
-    return checked_number(required(key, rule.words), key, rule);
+    return checked_number(required(key, validator.words), key, validator);
 }
 
 std::vector<double> TableReader::numbers(std::string_view key, std::size_t count,
-                                         const NumberRule &rule) const {
+                                         const Validator &validator) const {
     const toml::node &node = required(key, words_for(count));
     const toml::array *array = node.as_array();
     if (!array || array->size() != count) {
@@ -121,17 +121,18 @@ std::vector<double> TableReader::numbers(std::string_view key, std::size_t count
     }
     std::vector<double> values;
     for (const toml::node &element : *array) {
-        values.push_back(checked_number(element, fmt::format("{}[{}]", key, values.size()), rule));
+        values.push_back(
+            checked_number(element, fmt::format("{}[{}]", key, values.size()), validator));
     }
     return values;
 }
 
-glm::dvec3 TableReader::vector(std::string_view key, const NumberRule &rule,
+glm::dvec3 TableReader::vector(std::string_view key, const Validator &validator,
                                std::optional<glm::dvec3> fallback) const {
     if (fallback && !has(key)) {
         return *fallback;
     }
-    const std::vector<double> values = numbers(key, 3, rule);
+    const std::vector<double> values = numbers(key, 3, validator);
     return {values[0], values[1], values[2]};
 }
 
@@ -158,7 +159,7 @@ std::string TableReader::choice(std::string_view key,
     std::string name = text(key);
     if (std::find(names.begin(), names.end(), name) == names.end()) {
         throw UserError(fmt::format("{}: unknown {} '{}', {}", to_string(where(key)), key, name,
-                                    expected_name(name, names)));
+                                    suggest(name, names)));
     }
     return name;
 }

@@ -14,8 +14,8 @@
 #include <glm/vec3.hpp>
 #include <toml++/toml.h>
 
-#include "scene/number_rules.h"
 #include "scene/scene.h"
+#include "scene/validators.h"
 
 namespace stagelight {
 
@@ -36,11 +36,11 @@ public:
                        std::string_view key) const;
 
     // Without a fallback the key is required.
-    double number(std::string_view key, const NumberRule &rule,
+    double number(std::string_view key, const Validator &validator,
                   std::optional<double> fallback = {}) const;
     std::vector<double> numbers(std::string_view key, std::size_t count,
-                                const NumberRule &rule) const;
-    glm::dvec3 vector(std::string_view key, const NumberRule &rule,
+                                const Validator &validator) const;
+    glm::dvec3 vector(std::string_view key, const Validator &validator,
                       std::optional<glm::dvec3> fallback = {}) const;
     // Not zero, made unit length.
     glm::dvec3 direction(std::string_view key, std::optional<glm::dvec3> fallback = {}) const;
@@ -58,7 +58,7 @@ public:
 private:
     const toml::node &required(std::string_view key, std::string_view expected) const;
     double checked_number(const toml::node &node, std::string_view what,
-                          const NumberRule &rule) const;
+                          const Validator &validator) const;
     TableReader reader_of(const toml::node &node, std::string_view what, std::string name) const;
     SourceLocation located(const toml::source_region &region) const;
     [[noreturn]] void fail(const toml::node &node, std::string_view what,

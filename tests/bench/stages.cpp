@@ -4,8 +4,8 @@
 #include "device/kernel_source.h"
 #include "device/scene_needs.h"
 #include "golden/suite.h"
-#include "scene/lessons.h"
 #include "scene/progress.h"
+#include "scene/stages.h"
 
 namespace stagelight::bench {
 

@@ -16,8 +16,8 @@
 #include "image/image_io.h"
 #include "scene/clock.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::chart {
 namespace {

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadScene{"glass",
                              "^[materials.window]\ntype = \"dielectric\"\n"
                              "[[spheres]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"window\"\n",
-                             "a dielectric material: 02_shading_shadows has not learnt that yet; "
+                             "a dielectric material: unsupported by 02_shading_shadows; "
                              "04_refraction_beer is the first stage that can draw it"},
                     BadScene{"mesh", "[[meshes]]\nfile = ^\"Suzanne_248.blend\"\n",
                              "05_meshes is the first"},

@@ -79,21 +79,21 @@ TEST_F(Stage11Needs, GiveTheDepth) {
     EXPECT_EQ(stats(varnish, {"--depth", "2"}).at("max_depth"), 2);
 }
 
-TEST_F(Stage11Needs, AreToldWithWhatTheyLeaveOut) {
-    const json left = stats(paint).at("left_out");
-    EXPECT_EQ(left, json({{"mirrors", "no material is mirror or glossy"},
-                          {"refraction", "no material is dielectric"},
-                          {"triangles", "there is no mesh"},
-                          {"textures", "no material has a texture"},
-                          {"texture coordinates of vertices", "no mesh has a texture"},
-                          {"smooth glass", "no mesh is dielectric"},
-                          {"branch on the type of light", "all lights are of one type"},
-                          {"stack", "no ray splits in two: it has one place"}}));
+TEST_F(Stage11Needs, AreToldWithWhatTheyDisable) {
+    const json disabled = stats(paint).at("disabled_features");
+    EXPECT_EQ(disabled, json({{"mirrors", "no material is mirror or glossy"},
+                              {"refraction", "no material is dielectric"},
+                              {"triangles", "there is no mesh"},
+                              {"textures", "no material has a texture"},
+                              {"texture coordinates of vertices", "no mesh has a texture"},
+                              {"smooth glass", "no mesh is dielectric"},
+                              {"branch on the type of light", "all lights are of one type"},
+                              {"stack", "no ray splits in two: it has one place"}}));
     expect_part(said(), "not in the kernel, as this scene needs none: mirrors, refraction, "
                         "triangles, textures, ");
     const json with_glass =
         stats("type = \"dielectric\"\n", {}, "[[lights]]\ntype = \"point\"\nposition = [0, 5, 0]\n")
-            .at("left_out");
+            .at("disabled_features");
     for (const char *what : {"refraction", "branch on the type of light", "stack"}) {
         EXPECT_FALSE(with_glass.contains(what)) << what;
     }
@@ -107,7 +107,7 @@ TEST_F(Stage11Needs, BoundTheErrorOfTheImportanceCutoff) {
     EXPECT_GT(cut_off.at("count"), 0);
     EXPECT_GT(cut_off.at("largest_sum_of_weights"), 0);
     EXPECT_LT(cut_off.at("largest_sum_of_weights"), 0.02);
-    EXPECT_EQ(cut_off.at("brightest"), 1);
+    EXPECT_EQ(cut_off.at("radiance_bound"), 1);
     EXPECT_EQ(cut_off.at("error_at_most"), cut_off.at("largest_sum_of_weights"));
     EXPECT_EQ(glass.at("needs").at("CUTOFF_ONE_IN"), 4096);
     expect_part(said(), to_string(cut_off.at("count")) + " rays not traced, each below 1/4096");

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "normalise=exact|native, math=strict|mad|relaxed|fp64\n"},
         BadOption{"method_too_early",
                   {"--method", "interior=paper"},
-                  "--method interior=paper: 01_primitives has not learnt that yet; "
+                  "--method interior=paper: unsupported by 01_primitives; "
                   "04_refraction_beer is the first stage that has it"},
         BadOption{"method_missing", {"--method"}, "--method"},
         BadOption{
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
                               "08_gamma"},
                     BadOption{"method_too_early",
                               {"--method", "encode=2.2"},
-                              "--method encode=2.2: 06_textures has not learnt that yet; "
+                              "--method encode=2.2: unsupported by 06_textures; "
                               "08_gamma is the first stage that has it",
                               "06_textures"}),
     its_name);

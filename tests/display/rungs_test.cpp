@@ -10,7 +10,6 @@
 #include "display/viewer.h"
 #include "display/xvfb.h"
 #include "implementations.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
 
 namespace stagelight {

@@ -65,7 +65,7 @@ done
 printf 'interceptor_via_lib:%s\n' libassimp libfreeimage libstb >"$scratch/suppressions"
 export ASAN_OPTIONS=suppressions=$scratch/suppressions:log_path=$findings/sanitizer-$input:quarantine_size_mb=8
 export STAGELIGHT_ASSETS=$root/scenes TMPDIR=$scratch/tmp
-# The time is longer than run_apart lets a reader take and wait, and an allocation may be of any size: it
+# The time is longer than run_sandboxed lets a reader take and wait, and an allocation may be of any size: it
 # fails there.
 "$build/tests/fuzz/fuzz_$input" -max_total_time="$seconds" -max_len="$largest" -timeout=120 \
     -rss_limit_mb=2048 -malloc_limit_mb=1000000 -artifact_prefix="$findings/$input-" \

@@ -23,7 +23,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size);
 namespace {
 
 pid_t fuzzer = 0;
-unsigned char *counted_apart = nullptr;  // in memory that is common to all
+unsigned char *counted_in_sandbox = nullptr;  // in memory that is common to all
 
 void take_larger(const unsigned char *from, const unsigned char *end, unsigned char *to) {
     std::transform(from, end, to, to, [](auto a, auto b) { return std::max(a, b); });
@@ -34,15 +34,15 @@ void take_larger(const unsigned char *from, const unsigned char *end, unsigned c
 int LLVMFuzzerInitialize(int *, char ***) {
     fuzzer = getpid();
     const auto size = static_cast<std::size_t>(__stop___sancov_cntrs - __start___sancov_cntrs);
-    counted_apart = static_cast<unsigned char *>(
+    counted_in_sandbox = static_cast<unsigned char *>(
         mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
-    return counted_apart == MAP_FAILED ? 1 : 0;
+    return counted_in_sandbox == MAP_FAILED ? 1 : 0;
 }
 
-// The end of what run_apart does in a process of its own: what ran there is to be seen here.
+// The end of what run_sandboxed does in a process of its own: what ran there is to be seen here.
 void _exit(int code) {
     if (getpid() != fuzzer) {
-        take_larger(__start___sancov_cntrs, __stop___sancov_cntrs, counted_apart);
+        take_larger(__start___sancov_cntrs, __stop___sancov_cntrs, counted_in_sandbox);
     }
     syscall(SYS_exit_group, code);
     __builtin_unreachable();
@@ -51,7 +51,7 @@ void _exit(int code) {
 int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
     stagelight::fuzz::FUZZED_INPUT({reinterpret_cast<const char *>(data), size});
     const auto counters = __stop___sancov_cntrs - __start___sancov_cntrs;
-    take_larger(counted_apart, counted_apart + counters, __start___sancov_cntrs);
-    std::fill_n(counted_apart, counters, static_cast<unsigned char>(0));
+    take_larger(counted_in_sandbox, counted_in_sandbox + counters, __start___sancov_cntrs);
+    std::fill_n(counted_in_sandbox, counters, static_cast<unsigned char>(0));
     return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What AddressSanitizer finds in a process of run_apart's that is the library's mistake.
+// What AddressSanitizer finds in a process of run_sandboxed's that is the library's mistake.
 #ifdef __SANITIZE_ADDRESS__
 #define HAS_ADDRESS_SANITIZER
 #elif defined(__has_feature)
@@ -20,8 +20,8 @@ const pid_t first_process = getpid();
 
 }  // namespace
 
-// Without an access, what is wrong is a free or the size of an allocation. Apart those are the
-// library's, and a crash there is what run_apart is for.
+// Without an access, what is wrong is a free or the size of an allocation. In a sandbox
+// those are the library's, and a crash there is what run_sandboxed is for.
 extern "C" void __asan_on_error();  // NOLINT: AddressSanitizer's name
 void __asan_on_error() {
     if (getpid() != first_process && __asan_get_report_access_size() == 0) {

@@ -14,7 +14,7 @@
 #include "golden/suite.h"
 #include "image/outliers.h"
 #include "implementations.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight::golden {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "golden/suite.h"
 #include "implementations.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight::golden {
 namespace {

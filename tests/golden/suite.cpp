@@ -13,8 +13,9 @@
 #include "golden/filter.h"
 #include "image/outliers.h"
 #include "scene/errors.h"
-#include "scene/lessons.h"
+#include "scene/required_features.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::golden {
 namespace {
@@ -103,7 +104,7 @@ reference::Result draw_reference(const GoldenScene &golden, const Methods &metho
 
 Drawn draw_on(const GoldenScene &golden, const std::string &device, const Methods &methods) {
     const Scene scene = load_scene(golden.scene);
-    require_learnt(scene, stage_number(golden.stage));
+    require_supported(scene, stage_number(golden.stage));
     RenderSettings settings;
     settings.width = width;
     settings.height = height;

@@ -5,7 +5,7 @@
 #include "kernels/worst.h"
 #include "reference/reference.h"
 #include "reference/scenes.h"
-#include "scene/lessons.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {

@@ -8,8 +8,8 @@
 #include "bench/povray.h"
 #include "bench/stages.h"
 #include "pov/pov_export.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::povray {
 namespace {

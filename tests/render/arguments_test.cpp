@@ -5,8 +5,8 @@
 
 #include "device/bvh.h"
 #include "render/on_each_device.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::render {
 namespace {

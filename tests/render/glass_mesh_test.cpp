@@ -3,7 +3,7 @@
 #include "reference/glass_slab.h"
 #include "reference/reference.h"
 #include "render/on_each_device.h"
-#include "scene/brightest.h"
+#include "scene/radiance_bound.h"
 
 namespace stagelight::render {
 namespace {
@@ -25,7 +25,7 @@ TEST_P(Stage11Glass, ASlabBendsSplitsAndAbsorbs) {
             const Frame frame = renderer(stage, scene, settings).render();
             const double F = exact ? fresnel_at(angle, slab.ior) : schlick_at(angle, slab.ior);
             expect_color(frame.image, 0, 0, slab.seen(F),
-                         frame.rays.cut_off_weight * brightest(scene) + few_roundings);
+                         frame.rays.cut_off_weight * radiance_bound(scene) + few_roundings);
         }
     }
 }

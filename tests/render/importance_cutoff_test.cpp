@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 11: how deep rays go, and what is lost with those that are cut off.
 #include "render/on_each_device.h"
-#include "scene/brightest.h"
+#include "scene/radiance_bound.h"
 #include "scene/scene_file.h"
 
 namespace stagelight::render {
@@ -37,7 +37,7 @@ TEST_P(Stage11ImportanceCutoff, StaysWithinItsBound) {
         settings.methods = {{"decode", "2.2"}};
         const Frame whole = renderer("10_packets", scene, settings).render();
         const Frame cut = renderer(stage, scene, settings).render();
-        const double bound = cut.rays.cut_off_weight * brightest(scene);
+        const double bound = cut.rays.cut_off_weight * radiance_bound(scene);
         double worst = 0;
         for (std::size_t i = 0; i < whole.image.pixels.size(); ++i) {
             const dvec3 off(whole.image.pixels[i] - cut.image.pixels[i]);

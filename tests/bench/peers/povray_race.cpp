@@ -12,8 +12,8 @@
 #include "device/renderer.h"
 #include "image/image_io.h"
 #include "pov/pov_export.h"
-#include "scene/lessons.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/scene_part.h"
+#include "scene/serialise.h"
 
 #include <algorithm>
 #include <cstring>
@@ -119,7 +119,7 @@ SceneSizes::SceneSizes(const Scene &scene)
     : materials(scene.materials.size()), vertices(scene.vertices.size()),
       triangles(scene.triangles.size()), textures(scene.textures.size()) {}
 
-std::string part_since(const SceneSizes &before, const Scene &scene) {
+std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     Writer writer;
     writer.put(std::span(scene.vertices).subspan(before.vertices));
     writer.put(std::span(scene.triangles).subspan(before.triangles));
@@ -134,9 +134,9 @@ std::string part_since(const SceneSizes &before, const Scene &scene) {
     return std::move(writer.bytes);
 }
 
-bool append_part(Scene &scene, std::string_view part, const SourceLocation &where) {
+bool append_serialised(Scene &scene, std::string_view bytes, const SourceLocation &where) {
     const SceneSizes before(scene);
-    Reader reader(part);
+    Reader reader(bytes);
     reader.take(scene.vertices);
     reader.take(scene.triangles);
     bool is_whole = reader.is_sound();
@@ -159,13 +159,13 @@ bool append_part(Scene &scene, std::string_view part, const SourceLocation &wher
                                   });
 }
 
-std::string bytes_of(const Texture &texture) {
+std::string serialise(const Texture &texture) {
     Writer writer;
     put(writer, texture);
     return std::move(writer.bytes);
 }
 
-std::optional<Texture> texture_of(std::string_view bytes) {
+std::optional<Texture> deserialise_texture(std::string_view bytes) {
     Reader reader(bytes);
     Texture texture = take_texture(reader);
     const bool is_whole = reader.is_sound() && reader.is_at_end() && is_sound(texture);

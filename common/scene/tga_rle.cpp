@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/tga_runs.h"
+#include "scene/tga_rle.h"
 
 #include <array>
 
@@ -8,7 +8,7 @@ namespace stagelight {
 namespace {
 
 struct Header {
-    bool has_runs;
+    bool is_rle;
     std::streamoff picture;  // where it starts
     long pixels;
     long bytes_a_pixel;
@@ -21,7 +21,7 @@ Header read_header(std::istream &stream) {
     const auto byte = [&](std::size_t i) { return long{static_cast<unsigned char>(bytes[i])}; };
     const auto word = [&](std::size_t i) { return byte(i) + 256 * byte(i + 1); };
     const long map_bytes = byte(1) == 0 ? 0 : word(5) * ((byte(7) + 7) / 8);
-    return {.has_runs = byte(2) >= 9 && byte(2) <= 11,
+    return {.is_rle = byte(2) >= 9 && byte(2) <= 11,
             .picture = 18 + byte(0) + map_bytes,
             .pixels = word(12) * word(14),
             .bytes_a_pixel = (byte(16) + 7) / 8};
@@ -29,7 +29,7 @@ Header read_header(std::istream &stream) {
 
 // "Run-length encoding", in the same: a packet's first byte counts its pixels, less one; with the
 // top bit set, one pixel is repeated.
-bool runs_fill(std::istream &stream, const Header &header) {
+bool packets_fill(std::istream &stream, const Header &header) {
     stream.seekg(header.picture);
     for (long missing = header.pixels; missing > 0;) {
         const int packet = stream.get();
@@ -45,15 +45,15 @@ bool runs_fill(std::istream &stream, const Header &header) {
 
 }  // namespace
 
-TgaRuns tga_runs(std::istream &stream) {
+TgaRle tga_rle(std::istream &stream) {
     stream.clear();
     const Header header = read_header(stream);
-    TgaRuns runs = TgaRuns::none;
-    if (header.has_runs) {
-        runs = runs_fill(stream, header) ? TgaRuns::whole : TgaRuns::cut_short;
+    TgaRle rle = TgaRle::none;
+    if (header.is_rle) {
+        rle = packets_fill(stream, header) ? TgaRle::whole : TgaRle::cut_short;
     }
     stream.clear();
-    return runs;
+    return rle;
 }
 
 }  // namespace stagelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/checked_files.h"
+#include "scene/assimp_io.h"
 
 #include <memory>
 #include <utility>
@@ -9,9 +9,9 @@
 namespace stagelight {
 namespace {
 
-class CheckedStream : public Assimp::IOStream {
+class CheckedIOStream : public Assimp::IOStream {
 public:
-    CheckedStream(std::unique_ptr<Assimp::IOStream> file, bool &has_failed)
+    CheckedIOStream(std::unique_ptr<Assimp::IOStream> file, bool &has_failed)
         : file_(std::move(file)), has_failed_(has_failed) {}
 
     std::size_t Read(void *buffer, std::size_t size, std::size_t count) override {
@@ -38,9 +38,9 @@ private:
 
 }  // namespace
 
-Assimp::IOStream *CheckedFiles::Open(const char *file, const char *mode) {
+Assimp::IOStream *CheckedIOSystem::Open(const char *file, const char *mode) {
     std::unique_ptr<Assimp::IOStream> opened(files_.Open(file, mode));
-    return opened ? new CheckedStream(std::move(opened), has_failed_) : nullptr;
+    return opened ? new CheckedIOStream(std::move(opened), has_failed_) : nullptr;
 }
 
 }  // namespace stagelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/lessons.h"
+#include "scene/required_features.h"
 
 #include <string>
 #include <vector>
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/messages.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -45,35 +46,35 @@ Scene triangle_of(MaterialType type, unsigned material_line = 20) {
 
 std::vector<std::string> told(const Scene &scene) {
     std::vector<std::string> lines;
-    for (const Lesson &lesson : lessons_of(scene)) {
+    for (const RequiredFeature &feature : required_features(scene)) {
         lines.push_back(
-            fmt::format("{} {} {}", lesson.first_stage, lesson.what, to_string(lesson.where)));
+            fmt::format("{} {} {}", feature.first_stage, feature.what, to_string(feature.where)));
     }
     return lines;
 }
 
 using Lines = std::vector<std::string>;
 
-TEST(Lessons, AnEmptySceneAsksForNone) {
+TEST(RequiredFeatures, AnEmptySceneAsksForNone) {
     EXPECT_EQ(told(Scene{}), Lines{});
-    EXPECT_NO_THROW(require_learnt(Scene{}, 1));
+    EXPECT_NO_THROW(require_supported(Scene{}, 1));
 }
 
-TEST(Lessons, WhiteSpheresAndPlanesAreTheFirst) {
+TEST(RequiredFeatures, WhiteSpheresAndPlanesAreTheFirst) {
     Scene scene = white_spheres();
     scene.planes.push_back({.where = line(7)});
     EXPECT_EQ(told(scene), (Lines{"1 sphere a.toml:4:1", "1 plane a.toml:7:1"}));
-    EXPECT_NO_THROW(require_learnt(scene, 1));
+    EXPECT_NO_THROW(require_supported(scene, 1));
 }
 
-TEST(Lessons, LightsAreTheSecond) {
+TEST(RequiredFeatures, LightsAreTheSecond) {
     Scene scene = white_spheres();
     scene.lights.push_back({.where = line(12)});
     scene.lights.push_back({.where = line(2)});
     EXPECT_EQ(told(scene), (Lines{"1 sphere a.toml:4:1", "2 light a.toml:2:1"}));
 }
 
-TEST(Lessons, EachTypeOfMaterialHasItsStage) {
+TEST(RequiredFeatures, EachTypeOfMaterialHasItsStage) {
     const auto of = [](MaterialType type) { return told(sphere_of(type)).back(); };
     EXPECT_EQ(of(MaterialType::diffuse), "2 diffuse material a.toml:20:1");
     EXPECT_EQ(of(MaterialType::mirror), "3 mirror material a.toml:20:1");
@@ -81,14 +82,14 @@ TEST(Lessons, EachTypeOfMaterialHasItsStage) {
     EXPECT_EQ(of(MaterialType::dielectric), "4 dielectric material a.toml:20:1");
 }
 
-TEST(Lessons, PlanesUseMaterialsToo) {
+TEST(RequiredFeatures, PlanesUseMaterialsToo) {
     Scene scene;
     scene.materials.push_back({.type = MaterialType::mirror, .where = line(20)});
     scene.planes.push_back({.where = line(7)});
     EXPECT_EQ(told(scene).back(), "3 mirror material a.toml:20:1");
 }
 
-TEST(Lessons, OnlyMaterialsThatShapesUseCount) {
+TEST(RequiredFeatures, OnlyMaterialsThatShapesUseCount) {
     Scene scene = white_spheres();
     scene.textures.emplace_back();
     scene.materials.push_back({.type = MaterialType::dielectric, .where = line(20)});
@@ -96,56 +97,56 @@ TEST(Lessons, OnlyMaterialsThatShapesUseCount) {
     EXPECT_EQ(told(scene), Lines{"1 sphere a.toml:4:1"});
 }
 
-TEST(Lessons, OfSeveralMaterialsTheFirstInTheFileIsNamed) {
+TEST(RequiredFeatures, OfSeveralMaterialsTheFirstInTheFileIsNamed) {
     Scene scene = sphere_of(MaterialType::mirror);
     scene.materials.push_back({.type = MaterialType::mirror, .where = line(15)});
     scene.spheres.push_back({.material = 1, .where = line(5)});
     EXPECT_EQ(told(scene).back(), "3 mirror material a.toml:15:1");
 }
 
-TEST(Lessons, MeshesAreTheFifth) {
+TEST(RequiredFeatures, MeshesAreTheFifth) {
     EXPECT_EQ(told(triangle_of(MaterialType::diffuse)),
               (Lines{"2 diffuse material a.toml:20:1", "5 mesh a.toml:6:1"}));
     EXPECT_EQ(told(triangle_of(MaterialType::diffuse, 0)), Lines{"5 mesh a.toml:6:1"});
 }
 
-TEST(Lessons, TexturesAreTheSixth) {
+TEST(RequiredFeatures, TexturesAreTheSixth) {
     Scene scene = sphere_of(MaterialType::diffuse);
     scene.textures.emplace_back().where = line(22);
     scene.materials[0].texture = 0;
     EXPECT_EQ(told(scene).back(), "6 texture a.toml:22:1");
 }
 
-TEST(Lessons, RefractionInMeshesIsTheTenth) {
+TEST(RequiredFeatures, RefractionInMeshesIsTheEleventh) {
     EXPECT_EQ(told(triangle_of(MaterialType::dielectric)),
               (Lines{"4 dielectric material a.toml:20:1", "5 mesh a.toml:6:1",
                      "11 dielectric mesh a.toml:6:1"}));
 }
 
-TEST(Lessons, GlassBesideAMeshIsNotRefractionInIt) {
+TEST(RequiredFeatures, GlassBesideAMeshIsNotRefractionInIt) {
     Scene scene = triangle_of(MaterialType::diffuse);
     scene.materials.push_back({.type = MaterialType::dielectric, .where = line(21)});
     scene.spheres.push_back({.material = 1, .where = line(8)});
     EXPECT_EQ(told(scene).back(), "5 mesh a.toml:6:1");
 }
 
-TEST(Lessons, AStageRefusesWhatItHasNotLearnt) {
+TEST(RequiredFeatures, AStageRefusesWhatItDoesNotSupport) {
     const Scene scene = sphere_of(MaterialType::dielectric);
-    EXPECT_EQ(message_of([&] { require_learnt(scene, 2); }),
-              "a.toml:20:1: a dielectric material: 02_shading_shadows has not learnt that yet; "
+    EXPECT_EQ(message_of([&] { require_supported(scene, 2); }),
+              "a.toml:20:1: a dielectric material: unsupported by 02_shading_shadows; "
               "04_refraction_beer is the first stage that can draw it");
-    EXPECT_NE(message_of([&] { require_learnt(scene, 3); }), "");
-    EXPECT_EQ(message_of([&] { require_learnt(scene, 4); }), "");
-    EXPECT_EQ(message_of([&] { require_learnt(scene, 11); }), "");
+    EXPECT_NE(message_of([&] { require_supported(scene, 3); }), "");
+    EXPECT_EQ(message_of([&] { require_supported(scene, 4); }), "");
+    EXPECT_EQ(message_of([&] { require_supported(scene, 11); }), "");
 }
 
-TEST(Lessons, OfSeveralLessonsTheLastIsNamed) {
-    EXPECT_EQ(message_of([&] { require_learnt(triangle_of(MaterialType::dielectric), 1); }),
-              "a.toml:6:1: a dielectric mesh: 01_primitives has not learnt that yet; "
+TEST(RequiredFeatures, OfSeveralTheLastIsNamed) {
+    EXPECT_EQ(message_of([&] { require_supported(triangle_of(MaterialType::dielectric), 1); }),
+              "a.toml:6:1: a dielectric mesh: unsupported by 01_primitives; "
               "11_full_tracer is the first stage that can draw it");
 }
 
-TEST(Lessons, StagesAreNamedInOrder) {
+TEST(Stages, AreNamedInOrder) {
     for (std::size_t i = 0; i < stage_names.size(); ++i) {
         const std::string number = fmt::format("{:02}_", i + 1);
         EXPECT_EQ(stage_names[i].substr(0, 3), number) << "of " << stage_names[i];

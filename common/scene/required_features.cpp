@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/lessons.h"
+#include "scene/required_features.h"
 
 #include <algorithm>
 #include <tuple>
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "scene/errors.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -15,25 +16,22 @@ namespace {
 class Notes {
 public:
     void add(const char *what, int first_stage, const SourceLocation &where) {
-        const auto noted = std::find_if(lessons_.begin(), lessons_.end(),
-                                        [&](const Lesson &lesson) { return lesson.what == what; });
-        if (noted == lessons_.end()) {
-            lessons_.push_back({what, first_stage, where});
+        const auto noted = std::ranges::find(features_, what, &RequiredFeature::what);
+        if (noted == features_.end()) {
+            features_.push_back({what, first_stage, where});
         } else if (std::tie(where.line, where.column)
                    < std::tie(noted->where.line, noted->where.column)) {
             noted->where = where;
         }
     }
 
-    std::vector<Lesson> in_order() && {
-        std::stable_sort(lessons_.begin(), lessons_.end(), [](const Lesson &a, const Lesson &b) {
-            return a.first_stage < b.first_stage;
-        });
-        return std::move(lessons_);
+    std::vector<RequiredFeature> in_order() && {
+        std::ranges::stable_sort(features_, {}, &RequiredFeature::first_stage);
+        return std::move(features_);
     }
 
 private:
-    std::vector<Lesson> lessons_;
+    std::vector<RequiredFeature> features_;
 };
 
 void add_type(Notes &notes, const Material &material) {
@@ -84,7 +82,7 @@ void add_shapes(Notes &notes, const Scene &scene, std::vector<bool> &used) {
 
 }  // namespace
 
-std::vector<Lesson> lessons_of(const Scene &scene) {
+std::vector<RequiredFeature> required_features(const Scene &scene) {
     Notes notes;
     std::vector<bool> used(scene.materials.size());
     add_shapes(notes, scene, used);
@@ -99,14 +97,14 @@ std::vector<Lesson> lessons_of(const Scene &scene) {
     return std::move(notes).in_order();
 }
 
-void require_learnt(const Scene &scene, int stage) {
-    const std::vector<Lesson> lessons = lessons_of(scene);
-    if (lessons.empty() || lessons.back().first_stage <= stage) {
+void require_supported(const Scene &scene, int stage) {
+    const std::vector<RequiredFeature> features = required_features(scene);
+    if (features.empty() || features.back().first_stage <= stage) {
         return;
     }
-    const Lesson &last = lessons.back();
+    const RequiredFeature &last = features.back();
     throw UserError(fmt::format(
-        "{}: a {}: {} has not learnt that yet; {} is the first stage that can draw it",
+        "{}: a {}: unsupported by {}; {} is the first stage that can draw it",
         to_string(last.where), last.what, stage_name(stage), stage_name(last.first_stage)));
 }
 

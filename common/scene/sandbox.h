@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Libraries that read files from elsewhere crash, hang and leak on some. Here they do it apart.
+// Libraries that read files from elsewhere crash, hang and leak on some: here they do it in a child
+// process.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace stagelight {
 // reads. UserErrors and std::bad_alloc come back from there; if it crashes or takes longer, that is
 // a UserError about `what`, "where: file". What else it does is lost with it. Nothing that it
 // prints is seen.
-std::string run_apart(const std::string &what, std::uintmax_t file_size,
-                      const std::function<std::string()> &work);
+std::string run_sandboxed(const std::string &what, std::uintmax_t file_size,
+                          const std::function<std::string()> &work);
 
 // Called from there when the library has done its part: the rest may take its time.
 void allow_any_time();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/apart.h"
+#include "scene/sandbox.h"
 
 #include <algorithm>
 #include <array>
@@ -103,7 +103,7 @@ unsigned patience_for(std::uintmax_t file_size) {
     return static_cast<unsigned>(10 * seconds_for(file_size));
 }
 
-void be_fenced_in(std::uintmax_t file_size) {
+void limit_this_process(std::uintmax_t file_size) {
     for (const int fatal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGXCPU, SIGALRM}) {
         std::signal(fatal, SIG_DFL);  // drivers and sanitizers have handlers of their own
     }
@@ -121,7 +121,7 @@ void be_fenced_in(std::uintmax_t file_size) {
 
 std::string outcome_of(std::uintmax_t file_size, const std::function<std::string()> &work) {
     try {
-        be_fenced_in(file_size);
+        limit_this_process(file_size);
         return char(done) + work();
     } catch (const UserError &error) {
         return char(user_error) + std::string(error.what());
@@ -161,8 +161,8 @@ void allow_any_time() {
     limit(RLIMIT_CPU, RLIM_INFINITY);
 }
 
-std::string run_apart(const std::string &what, std::uintmax_t file_size,
-                      const std::function<std::string()> &work) {
+std::string run_sandboxed(const std::string &what, std::uintmax_t file_size,
+                          const std::function<std::string()> &work) {
     Pipe pipe;
     const pid_t child = fork();
     if (child < 0) {

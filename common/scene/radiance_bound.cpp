@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/brightest.h"
+#include "scene/radiance_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ glm::dvec3 strongest(const Scene &scene, const Light &light) {
 
 }  // namespace
 
-double brightest(const Scene &scene) {
+double radiance_bound(const Scene &scene) {
     glm::dvec3 lit(0);
     for (const Light &light : scene.lights) {
         lit += strongest(scene, light);

@@ -10,6 +10,6 @@ namespace stagelight {
 // on the surfaces nearest to each. No material sends on more light than falls on it, since colours
 // and shares are at most 1, so that holds after any number of bounces. Infinite where a point light
 // lies on a surface.
-double brightest(const Scene &scene);
+double radiance_bound(const Scene &scene);
 
 }  // namespace stagelight

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "device/left_out.h"
+#include "device/disabled_features.h"
 
 namespace stagelight {
 namespace {
 
-struct Part {
+struct Feature {
     const char *need;
     int first_stage;
     const char *what;
     const char *why;
 };
 
-constexpr Part parts[] = {
+constexpr Feature features[] = {
     {"HAS_SPHERES", 1, "spheres", "there is none"},
     {"HAS_PLANES", 1, "planes", "there is none"},
     {"HAS_LIGHTS", 2, "lights", "there is none, or nothing diffuse for them to light"},
@@ -27,21 +27,22 @@ constexpr Part parts[] = {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> left_out(const SceneNeeds &needs, int stage) {
-    std::vector<std::pair<std::string, std::string>> left;
-    for (const auto &[need, first_stage, what, why] : parts) {
+std::vector<std::pair<std::string, std::string>> disabled_features(const SceneNeeds &needs,
+                                                                   int stage) {
+    std::vector<std::pair<std::string, std::string>> disabled;
+    for (const auto &[need, first_stage, what, why] : features) {
         if (stage >= first_stage && value_of(needs, need) == 0) {
-            left.emplace_back(what, why);
+            disabled.emplace_back(what, why);
         }
     }
     if (value_of(needs, "HAS_LIGHTS") > 0
         && value_of(needs, "HAS_POINT_LIGHT") != value_of(needs, "HAS_DIRECTIONAL_LIGHT")) {
-        left.emplace_back("branch on the type of light", "all lights are of one type");
+        disabled.emplace_back("branch on the type of light", "all lights are of one type");
     }
     if (value_of(needs, "STACK_SIZE") == 1 && stage >= 3) {
-        left.emplace_back("stack", "no ray splits in two: it has one place");
+        disabled.emplace_back("stack", "no ray splits in two: it has one place");
     }
-    return left;
+    return disabled;
 }
 
 }  // namespace stagelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/names.h"
+#include "scene/suggest.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +37,7 @@ bool is_near(std::string_view wrong, std::string_view name) {
 
 }  // namespace
 
-std::string expected_name(std::string_view wrong, const std::vector<std::string_view> &known) {
+std::string suggest(std::string_view wrong, const std::vector<std::string_view> &known) {
     std::vector<std::string_view> near;
     std::copy_if(known.begin(), known.end(), std::back_inserter(near),
                  [&](std::string_view name) { return is_near(wrong, name); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/apart.h"
+#include "scene/sandbox.h"
 
 #include <csignal>
 #include <iostream>
@@ -16,23 +16,23 @@
 namespace stagelight {
 namespace {
 
-std::string apart(const std::function<std::string()> &work) {
-    return run_apart("scene.toml:3:1: a.obj", 100, work);
+std::string sandboxed(const std::function<std::string()> &work) {
+    return run_sandboxed("scene.toml:3:1: a.obj", 100, work);
 }
 
-TEST(Apart, ReturnsEveryByte) {
+TEST(Sandbox, ReturnsEveryByte) {
     std::string bytes(300'000, '\0');
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         bytes[i] = static_cast<char>(i * i / 7);
     }
-    EXPECT_EQ(apart([&] { return bytes; }), bytes);
-    EXPECT_EQ(apart([] { return std::string(); }), "");
+    EXPECT_EQ(sandboxed([&] { return bytes; }), bytes);
+    EXPECT_EQ(sandboxed([] { return std::string(); }), "");
 }
 
-TEST(Apart, LeavesNothingBehindAndPrintsNothing) {
+TEST(Sandbox, LeavesNothingBehindAndPrintsNothing) {
     int changed = 0;
     testing::internal::CaptureStderr();
-    apart([&] {
+    sandboxed([&] {
         changed = 1;
         std::cerr << "free(): invalid pointer" << std::endl;
         return std::string();
@@ -41,16 +41,16 @@ TEST(Apart, LeavesNothingBehindAndPrintsNothing) {
     EXPECT_EQ(changed, 0);
 }
 
-TEST(Apart, ThrowsWhatWasThrownThere) {
-    EXPECT_EQ(message_of([] { apart([]() -> std::string { throw UserError("no mesh"); }); }),
+TEST(Sandbox, ThrowsWhatWasThrownThere) {
+    EXPECT_EQ(message_of([] { sandboxed([]() -> std::string { throw UserError("no mesh"); }); }),
               "no mesh");
-    EXPECT_THROW(apart([]() -> std::string { throw std::bad_alloc(); }), std::bad_alloc);
+    EXPECT_THROW(sandboxed([]() -> std::string { throw std::bad_alloc(); }), std::bad_alloc);
 }
 
-TEST(Apart, TellsOfACrash) {
+TEST(Sandbox, TellsOfACrash) {
     for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGKILL}) {
         EXPECT_EQ(message_of([&] {
-                      apart([&] {
+                      sandboxed([&] {
                           std::raise(signal);
                           return std::string();
                       });
@@ -61,9 +61,9 @@ TEST(Apart, TellsOfACrash) {
 }
 
 // Its own limits are of seconds to minutes: they are seen, then brought near.
-TEST(Apart, TellsOfTooLongATime) {
+TEST(Sandbox, TellsOfTooLongATime) {
     EXPECT_EQ(message_of([] {
-                  apart([]() -> std::string {
+                  sandboxed([]() -> std::string {
                       rlimit limits{};
                       getrlimit(RLIMIT_CPU, &limits);
                       if (limits.rlim_cur != 8) {
@@ -80,9 +80,9 @@ TEST(Apart, TellsOfTooLongATime) {
               "undamaged file");
 }
 
-TEST(Apart, TellsOfTooLongAWait) {
+TEST(Sandbox, TellsOfTooLongAWait) {
     EXPECT_EQ(message_of([] {
-                  apart([]() -> std::string {
+                  sandboxed([]() -> std::string {
                       const itimerval soon{{}, {0, 10'000}};
                       itimerval patience{};
                       setitimer(ITIMER_REAL, &soon, &patience);
@@ -97,8 +97,8 @@ TEST(Apart, TellsOfTooLongAWait) {
               "undamaged file");
 }
 
-TEST(Apart, TakesItsTimeOnceAllowed) {
-    EXPECT_EQ(apart([] {
+TEST(Sandbox, TakesItsTimeOnceAllowed) {
+    EXPECT_EQ(sandboxed([] {
                   allow_any_time();
                   rlimit limits{};
                   getrlimit(RLIMIT_CPU, &limits);
@@ -108,10 +108,10 @@ TEST(Apart, TakesItsTimeOnceAllowed) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // they end such a program
-TEST(Apart, HasHalfOfTheMemory) {
+TEST(Sandbox, HasHalfOfTheMemory) {
     const auto memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES))
                         * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-    EXPECT_THROW(apart([&] {
+    EXPECT_THROW(sandboxed([&] {
                      std::string bytes;
                      bytes.reserve(memory / 2 + memory / 16);
                      return std::to_string(bytes.capacity());
@@ -120,8 +120,8 @@ TEST(Apart, HasHalfOfTheMemory) {
 }
 #endif
 
-TEST(Apart, IsAMistakeOfOursWhenItEndsOtherwise) {
-    EXPECT_THROW(apart([]() -> std::string { _exit(77); }), std::logic_error);
+TEST(Sandbox, IsAMistakeOfOursWhenItEndsOtherwise) {
+    EXPECT_THROW(sandboxed([]() -> std::string { _exit(77); }), std::logic_error);
 }
 
 }  // namespace

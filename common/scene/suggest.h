@@ -10,6 +10,6 @@ namespace stagelight {
 
 // "did you mean 'radius'?" when one of the known names is near the wrong one, else
 // "expected one of center, radius".
-std::string expected_name(std::string_view wrong, const std::vector<std::string_view> &known);
+std::string suggest(std::string_view wrong, const std::vector<std::string_view> &known);
 
 }  // namespace stagelight

@@ -6,10 +6,10 @@
 namespace stagelight {
 
 // Files for Assimp, some of whose readers take what a failing disk has given for all there is.
-class CheckedFiles : public Assimp::IOSystem {
+class CheckedIOSystem : public Assimp::IOSystem {
 public:
     // Sets `has_failed` when a read gives less than the file has.
-    explicit CheckedFiles(bool &has_failed) : has_failed_(has_failed) {}
+    explicit CheckedIOSystem(bool &has_failed) : has_failed_(has_failed) {}
 
     bool Exists(const char *file) const override { return files_.Exists(file); }
     char getOsSeparator() const override { return files_.getOsSeparator(); }

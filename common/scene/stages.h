@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks of the stage that draws it, and which stage teaches that first.
+// The stages' names and numbers.
 #pragma once
 
 #include <array>
-#include <string>
 #include <string_view>
-#include <vector>
-
-#include "scene/scene.h"
 
 namespace stagelight {
 
@@ -25,18 +21,5 @@ inline int stage_number(std::string_view name) {
 inline std::string_view stage_name(int number) {
     return stage_names[static_cast<std::size_t>(number - 1)];
 }
-
-struct Lesson {
-    std::string what;      // "dielectric material", "mesh", …
-    int first_stage = 1;   // the number of the stage that teaches it
-    SourceLocation where;  // the first place in the scene that asks for it
-};
-
-// The lessons a scene needs, in the order of their stages. A material counts when a
-// shape uses it; the plain white one of shapes that name none asks for no lesson.
-std::vector<Lesson> lessons_of(const Scene &scene);
-
-// Throws UserError naming the first stage that can draw the scene, if `stage` can't.
-void require_learnt(const Scene &scene, int stage);
 
 }  // namespace stagelight
