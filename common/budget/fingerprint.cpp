@@ -68,6 +68,7 @@ void add_looks(Hash &hash, const Scene &scene) {
         hash.add(material.specularity);
         hash.add(material.ior);
         hash.add(material.absorption);
+        hash.add(material.priority);
     }
     for (const Light &light : scene.lights) {
         hash.add(static_cast<int>(light.type));

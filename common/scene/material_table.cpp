@@ -24,18 +24,21 @@ MaterialType type_named(std::string_view name) {
 
 // All but the texture.
 Material read_material(const TableReader &table) {
-    table.refuse_unknown({"type", "color", "texture", "specularity", "ior", "absorption"});
+    table.refuse_unknown(
+        {"type", "color", "texture", "specularity", "ior", "absorption", "priority"});
     const std::string type = table.choice("type", {"diffuse", "mirror", "glossy", "dielectric"});
     table.refuse_unless({"diffuse", "mirror", "glossy"}, type, "texture");
     table.refuse_unless({"glossy"}, type, "specularity");
     table.refuse_unless({"dielectric"}, type, "ior");
     table.refuse_unless({"dielectric"}, type, "absorption");
+    table.refuse_unless({"dielectric"}, type, "priority");
     Material material;
     material.type = type_named(type);
     material.color = table.vector("color", share, material.color);
     material.specularity = table.number("specularity", share, material.specularity);
     material.ior = table.number("ior", positive, material.ior);
     material.absorption = table.vector("absorption", not_negative, material.absorption);
+    material.priority = static_cast<int>(table.number("priority", rank, material.priority));
     material.where = table.where();
     return material;
 }

@@ -46,6 +46,7 @@ struct Material {
     double specularity = 0.5;        // glossy: the share s of the reflection, [0, 1]
     double ior = 1.5;                // dielectric: index of refraction, > 0
     glm::dvec3 absorption{0, 0, 0};  // dielectric: Beer's coefficient, per scene unit
+    int priority = 0;                // dielectric: the highest fills a place that several hold
     SourceLocation where;
 };
 

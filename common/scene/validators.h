@@ -27,6 +27,8 @@ constexpr Validator field_of_view{"an angle above 0 and below 180 degrees",
                                   [](double v) { return v > 0 && v < 180; }};
 constexpr Validator bounces{"a whole number from 0 to 64",
                             [](double v) { return v == std::floor(v) && v >= 0 && v <= 64; }};
+constexpr Validator rank{"a whole number from -1000000 to 1000000",
+                         [](double v) { return v == std::floor(v) && v >= -1e6 && v <= 1e6; }};
 static_assert(largest_image_size == 16384, "the words of `pixels` say so");
 constexpr Validator pixels{"a whole number from 1 to 16384", [](double v) {
                                return v == std::floor(v) && v >= 1 && v <= largest_image_size;

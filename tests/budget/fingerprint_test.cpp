@@ -50,6 +50,7 @@ TEST(Stage11Fingerprint, TellsScenesDevicesAndSettingsApart) {
             it.scene.triangles[0].vertices = {0, 2, 1};
         },
         [](Asked &it) { it.scene.materials[0].ior = 1.6; },
+        [](Asked &it) { it.scene.materials[0].priority = 1; },
         [](Asked &it) { it.scene.materials[0].type = MaterialType::mirror; },
         [](Asked &it) { it.scene.lights[0].intensity = 2; },
         [](Asked &it) { it.scene.textures[0].texels[2] = 5; },

@@ -285,6 +285,15 @@ const auto materials = testing::Values(
     with_material("ior", "dielectric", "ior = 0", ":3:7: ior is 0, expected a number above 0"),
     with_material("absorption", "dielectric", "absorption = [0, 0, -1]",
                   ":3:21: absorption[2] is -1, expected a number of 0 or more"),
+    with_material("priority_fraction", "dielectric", "priority = 1.5",
+                  ":3:12: priority is 1.5, expected a whole number from -1000000 to 1000000"),
+    with_material("priority_enormous", "dielectric", "priority = -1000001",
+                  ":3:12: priority is -1000001, expected a whole number from -1000000 to 1000000"),
+    with_material("priority_no_number", "dielectric", "priority = \"high\"",
+                  ":3:12: priority is a string, expected a whole number from -1000000 to 1000000"),
+    with_material(
+        "priority_of_glossy", "glossy", "priority = 1",
+        ":3:1: priority in [materials.a], which is glossy: expected only with type dielectric"),
     with_material(
         "ior_of_diffuse", "diffuse", "ior = 1.5",
         ":3:1: ior in [materials.a], which is diffuse: expected only with type dielectric"),

@@ -135,9 +135,10 @@ e = {type = "dielectric", ior = 1.33, absorption = [0, 0.8, 12]}
 f = {type = "dielectric"}
 g = {type = "glossy", specularity = 0.25}
 h = {type = "glossy"}
+i = {type = "dielectric", priority = -3}
 m = {type = "mirror"}
 )");
-    ASSERT_EQ(scene.materials.size(), 6U);
+    ASSERT_EQ(scene.materials.size(), 7U);
     const auto &all = scene.materials;
     EXPECT_EQ(all[0].type, MaterialType::diffuse);
     EXPECT_EQ(all[0].color, glm::dvec3(0, 0.5, 1));
@@ -147,10 +148,12 @@ m = {type = "mirror"}
     EXPECT_EQ(all[2].ior, 1.5);
     EXPECT_EQ(all[2].absorption, glm::dvec3(0));
     EXPECT_EQ(all[2].color, glm::dvec3(1));
+    EXPECT_EQ(all[2].priority, 0);
     EXPECT_EQ(all[3].type, MaterialType::glossy);
     EXPECT_EQ(all[3].specularity, 0.25);
     EXPECT_EQ(all[4].specularity, 0.5);
-    EXPECT_EQ(all[5].type, MaterialType::mirror);
+    EXPECT_EQ(all[5].priority, -3);
+    EXPECT_EQ(all[6].type, MaterialType::mirror);
 }
 
 TEST_F(SceneFile, Lights) {
