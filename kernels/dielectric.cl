@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 04; extended by 11 (smooth meshes): glass. What is reflected, what goes through,
 // and what is lost inside.
+#include "media.cl"
 #include "origin.cl"
 #include "ray_stack.cl"
 #include "reflection.cl"
@@ -70,27 +71,38 @@ static Interface interface_at(const Surface *surface, const float3 direction, co
 
 // #region spawn_dielectric
 // At every wall, inside as outside, one ray is reflected and one goes through.
-static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
-                             const DielectricMaterial *glass, const float3 weight, RayCounts *counts) {
+static void spawn_dielectric(const Scene *scene, RayStack *stack, const PendingRay *incoming,
+                             const Surface *surface, const DielectricMaterial *glass, const float3 weight,
+                             RayCounts *counts) {
+    const DielectricMaterial outside = medium_at(scene, incoming->media & ~glass->medium);
     // #region at_wall
-    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
+    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior / outside.ior);
     // #endregion at_wall
-    PendingRay here = *incoming;
-    if (surface->from_behind) {  // what is reflected in glass runs in it, even if the eye was there
-        here.absorption = XYZ(glass->absorption);
-    }
-    spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
+    spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
         PendingRay refracted;
         refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;
-        refracted.absorption = surface->from_behind ? (float3)(0.0f) : XYZ(glass->absorption);
+        refracted.media = media_beyond(incoming->media, surface, glass);
+        refracted.absorption = surface->from_behind ? XYZ(outside.absorption) : XYZ(glass->absorption);
         push_ray(stack, refracted, &counts->refraction, counts);
     }
 }
 // #endregion spawn_dielectric
+
+// #region pass_through
+// Where another medium is there on both sides, the ray goes on as it was, and no bounce deeper.
+static void pass_through(RayStack *stack, const PendingRay *incoming, const float distance, const Surface *surface,
+                         const DielectricMaterial *glass, RayCounts *counts) {
+    PendingRay on = *incoming;
+    on.ray.origin = offset_ray_origin(surface, incoming->ray.direction);
+    on.weight *= transmittance(incoming->absorption, distance);
+    on.media = media_beyond(incoming->media, surface, glass);
+    push_ray(stack, on, &counts->refraction, counts);
+}
+// #endregion pass_through
 
 // #region interior_paper
 // The paper's way (section 5): once through the sphere and out, no reflection inside.

@@ -9,6 +9,7 @@ typedef struct PendingRay {
     Ray ray;
     float3 weight;      // what its light is multiplied by on the way to the pixel
     int depth;          // bounces so far
+    uint media;         // the dielectrics that it is in, a bit for each
     float3 absorption;  // of the medium that it runs in
 } PendingRay;
 // #endregion pending_ray
@@ -32,6 +33,7 @@ static PendingRay primary_ray(const Ray ray) {
     primary.ray = ray;
     primary.weight = (float3)(1.0f);
     primary.depth = 0;
+    primary.media = 0;
     primary.absorption = (float3)(0.0f);
     return primary;
 }
@@ -45,6 +47,9 @@ static void copy_pending(PendingRay *to, const PendingRay *from) {
     to->depth = from->depth;
     if (HAS_DIELECTRIC) {
         to->absorption = from->absorption;
+    }
+    if (HAS_MEDIA) {
+        to->media = from->media;
     }
 }
 

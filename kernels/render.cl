@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 05 (meshes), 06 (textures) and 09 (a tree): the kernel, one work-item a
-// pixel.
+// Introduced by stage 03; extended by 04 (media), 05 (meshes), 06 (textures) and 09 (a tree): the kernel, one
+// work-item a pixel.
 #include "camera.cl"
 #include "picture.cl"
 #include "ray_counts.cl"

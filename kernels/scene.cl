@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 02 (materials, lights), 05 (meshes), 06 (textures) and
+// Introduced by stage 01; extended by 02 (materials, lights), 04 (media), 05 (meshes), 06 (textures) and
 // 09 (a tree of boxes): the scene, as a kernel's arguments and as one struct to hand on.
 //
 // The host defines HAS_SPHERES and its like, 0 or 1, for the scene at hand. What a scene has not costs
@@ -24,6 +24,7 @@ typedef struct Scene {
     __global const Plane *planes;
     int plane_count;
     __global const Material *materials;
+    uint eye_media;  // that the eye is in
     __global const Light *lights;
     int light_count;
     __global const Triangle *triangles;

@@ -38,6 +38,7 @@ typedef struct Camera {
     float4 down;    // one pixel down
     float2 sample;  // the point of a pixel that is sampled, in [0, 1)
     int2 size;      // the picture's, pixels
+    uint media;     // the dielectrics that the eye is in, a bit for each
 } Camera;
 
 #if !defined(__OPENCL_VERSION__) || METHOD_MATH_FP64
@@ -50,6 +51,7 @@ typedef struct DoubleCamera {
     double4 down;
     double2 sample;
     int2 size;
+    uint media;
 } DoubleCamera;
 #endif
 // #endregion camera
@@ -64,6 +66,7 @@ typedef struct GlossyMaterial {
 typedef struct DielectricMaterial {
     float4 absorption;  // Beer's coefficient, per scene unit; w unused
     float ior;          // index of refraction, > 0
+    uint medium;        // its bit, where dielectrics meet
 } DielectricMaterial;
 
 // A type and what only that type needs (paper, section 2).
@@ -151,12 +154,13 @@ typedef struct RayCounts {
 #define CUT_OFF_WEIGHT_ONE 16777216.0f
 
 #ifndef __OPENCL_VERSION__
-static_assert(sizeof(Camera) == 80 && offsetof(Camera, sample) == 64 && offsetof(Camera, size) == 72);
+static_assert(sizeof(Camera) == 96 && offsetof(Camera, sample) == 64 && offsetof(Camera, size) == 72
+              && offsetof(Camera, media) == 80);
 static_assert(sizeof(DoubleCamera) == 160 && offsetof(DoubleCamera, sample) == 128
-              && offsetof(DoubleCamera, size) == 144);
+              && offsetof(DoubleCamera, size) == 144 && offsetof(DoubleCamera, media) == 152);
 static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16 && offsetof(Material, texture_size) == 48
               && offsetof(Material, texture) == 56 && offsetof(Material, type) == 60
-              && offsetof(DielectricMaterial, ior) == 16);
+              && offsetof(DielectricMaterial, ior) == 16 && offsetof(DielectricMaterial, medium) == 20);
 static_assert(sizeof(Light) == 64 && offsetof(Light, as) == 16 && offsetof(Light, type) == 48
               && offsetof(PointLight, range) == 16);
 static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16 && offsetof(Sphere, material) == 20);

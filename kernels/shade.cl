@@ -35,12 +35,16 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     }
     if (HAS_DIELECTRIC && material.type == MATERIAL_DIELECTRIC) {
         const DielectricMaterial glass = material.as.dielectric;
+        if (HAS_MEDIA && is_overruled(&glass, incoming->media)) {
+            pass_through(stack, incoming, hit.distance, surface, &glass, counts);
+            return false;
+        }
         if (METHOD_INTERIOR_PAPER && hit.shape == SHAPE_SPHERE) {
             const float3 center = XYZ(scene->spheres[hit.index].center);
             spawn_through_sphere(stack, incoming, surface, &glass, center, weight, counts);
             return false;
         }
-        spawn_dielectric(stack, incoming, surface, &glass, weight, counts);
+        spawn_dielectric(scene, stack, incoming, surface, &glass, weight, counts);
         return false;
     }
     // #endregion shade_dielectric

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 06 (textures): Whitted's ray tracing (An Improved Illumination
-// Model for Shaded Display, 1980), as a loop. The kernel has included closest_hit.
+// Introduced by stage 03; extended by 04 (media) and 06 (textures): Whitted's ray tracing (An Improved
+// Illumination Model for Shaded Display, 1980), as a loop. The kernel has included closest_hit.
 #include "diffuse.cl"
 #include "shade.cl"
 
@@ -9,13 +9,21 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TE
     RayStack stack;
     stack.rays[0] = primary_ray(primary);
     stack.count = 1;
+    if (HAS_MEDIA) {
+        stack.rays[0].media = scene->eye_media;
+        stack.rays[0].absorption = XYZ(medium_at(scene, scene->eye_media).absorption);
+    }
     float3 color = (float3)(0.0f);
     while (stack.count > 0) {
         const PendingRay incoming = pop_ray(&stack);
         const Hit hit = closest_hit(scene, incoming.ray);
         if (hit.shape == SHAPE_NONE) {
             // #region miss
-            color += incoming.weight * XYZ(scene->background);
+            float3 light = XYZ(scene->background);
+            if (HAS_MEDIA) {
+                light *= transmittance(incoming.absorption, MAXFLOAT);  // of water without a shore, nothing
+            }
+            color += incoming.weight * light;
             // #endregion miss
         } else {
             // #region hit_surface

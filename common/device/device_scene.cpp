@@ -51,20 +51,45 @@ std::array<device::float4, 3> corners_of(const Triangle &triangle, const Scene &
     return corners;
 }
 
+// Media come before the scene's materials, in their order; each is a material of its own, so that
+// a surface has no other number to carry.
+Bytes pack_materials(const Scene &scene, const Media &media) {
+    std::vector<device::Material> materials;
+    for (const int material : media.materials()) {
+        materials.push_back(
+            to_device(scene.materials[static_cast<std::size_t>(material)], scene.textures));
+        materials.back().as.dielectric.medium = 1U << (materials.size() - 1);
+    }
+    for (const Material &material : scene.materials) {
+        materials.push_back(to_device(material, scene.textures));
+    }
+    return pack(materials, [](const device::Material &material) { return material; });
+}
+
 // What the host puts behind each name in kernels/scene.cl.
-Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
-    const auto convert = [](const auto &element) { return to_device(element); };
+Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh, const Media &media) {
+    const auto with_medium = [&media](const auto &shapes, auto medium_of) {
+        return [&media, first = shapes.data(), medium_of](const auto &shape) {
+            auto packed = to_device(shape);
+            const int medium = (media.*medium_of)(static_cast<std::size_t>(&shape - first));
+            packed.material =
+                medium < 0 ? packed.material + static_cast<int>(media.materials().size()) : medium;
+            return packed;
+        };
+    };
     if (name == "spheres") {
-        return pack_shapes(scene.spheres, bvh, bvh.spheres, convert);
+        return pack_shapes(scene.spheres, bvh, bvh.spheres,
+                           with_medium(scene.spheres, &Media::of_sphere));
     }
     if (name == "planes") {
-        return pack(scene.planes, convert);
+        return pack(scene.planes, with_medium(scene.planes, &Media::of_plane));
     }
     if (name == "lights") {
-        return pack(scene.lights, convert);
+        return pack(scene.lights, [](const Light &light) { return to_device(light); });
     }
     if (name == "triangles") {
-        return pack_shapes(scene.triangles, bvh, bvh.triangles, convert);
+        return pack_shapes(scene.triangles, bvh, bvh.triangles,
+                           with_medium(scene.triangles, &Media::of_triangle));
     }
     if (name == "triangle_corners") {
         return pack_shapes(scene.triangles, bvh, bvh.triangles, [&scene](const Triangle &triangle) {
@@ -75,9 +100,7 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh) {
         return pack(bvh.nodes, [](const device::BvhNode &node) { return node; });
     }
     if (name == "materials") {
-        return pack(scene.materials, [&scene](const Material &material) {
-            return to_device(material, scene.textures);
-        });
+        return pack_materials(scene, media);
     }
     if (name == "vertex_normals") {
         return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.normal); });
@@ -167,7 +190,7 @@ std::vector<std::string> argument_names(const cl::Kernel &kernel,
 
 DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
                          const std::vector<std::string> &names, const Scene &scene, Transfer decode,
-                         const Bvh &bvh) {
+                         const Bvh &bvh, const Media &media) {
     for (cl_uint i = 0; i < names.size(); ++i) {
         const std::string &name = names[i];
         if (name == "background") {
@@ -178,7 +201,7 @@ DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, c
             textures_.emplace(context, device, scene, decode);
             bytes_[name] = textures_->bytes();
             kernel.setArg(i, textures_->image());
-        } else if (Bytes bytes = contents(name, scene, bvh); !bytes.empty()) {
+        } else if (Bytes bytes = contents(name, scene, bvh, media); !bytes.empty()) {
             require_room(device, name, bytes.size(), scene);
             bytes_[name] = bytes.size();
             buffers_[name] = cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "device/bvh.h"
+#include "device/media.h"
 #include "device/methods.h"
 #include "device/opencl.h"
 #include "device/scene_needs.h"
@@ -22,10 +23,10 @@ class DeviceScene {
 public:
     // Sets every argument of `kernel` that is part of the scene (kernels/scene.cl); `names` are
     // those of its arguments, in order. Texels are decoded by `decode`; triangles lie in the order
-    // of `bvh` if it has any. Throws as TextureArray does.
+    // of `bvh` if it has any, and materials after those of `media`. Throws as TextureArray does.
     DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
                 const std::vector<std::string> &names, const Scene &scene,
-                Transfer decode = Transfer::none, const Bvh &bvh = {});
+                Transfer decode = Transfer::none, const Bvh &bvh = {}, const Media &media = {});
 
     // Whether that argument of the kernel is part of the scene, and was set.
     bool has_set(const std::string &name) const { return set_.contains(name); }

@@ -45,6 +45,7 @@ device::DoubleCamera to_device(const CameraDescription &camera, int width, int h
 
 device::Camera to_single(const device::DoubleCamera &camera) {
     device::Camera result = {};
+    result.media = camera.media;
     result.position = rounded(camera.position);
     result.corner = rounded(camera.corner);
     result.right = rounded(camera.right);

@@ -18,6 +18,7 @@ constexpr Feature features[] = {
     {"HAS_DIFFUSE", 2, "diffuse shading", "no material is diffuse or glossy"},
     {"HAS_REFLECTION", 3, "mirrors", "no material is mirror or glossy"},
     {"HAS_DIELECTRIC", 4, "refraction", "no material is dielectric"},
+    {"HAS_MEDIA", 4, "glass in glass", "no dielectrics meet, and the eye is in none"},
     {"HAS_TRIANGLES", 5, "triangles", "there is no mesh"},
     {"HAS_TEXTURES", 6, "textures", "no material has a texture"},
     {"HAS_MESH_TEXTURES", 6, "texture coordinates of vertices", "no mesh has a texture"},

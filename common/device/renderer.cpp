@@ -18,7 +18,9 @@ Renderer::Renderer(const cl::Device &device, const std::string &stage, const Sce
     : device_(device), settings_(settings), context_(device), queue_(context_, device),
       kernel_(context_, device, stage, scene, settings),
       image_(context_, CL_MEM_WRITE_ONLY, picture_bytes(device, settings.width, settings.height)),
-      camera_(to_device(scene.camera, settings.width, settings.height)) {}
+      camera_(to_device(scene.camera, settings.width, settings.height)) {
+    camera_.media = kernel_.media().at(scene, scene.camera.position);
+}
 
 std::map<std::string, std::size_t> Renderer::bytes() const {
     std::map<std::string, std::size_t> bytes = kernel_.bytes();

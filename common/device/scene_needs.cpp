@@ -118,23 +118,15 @@ int value_of(const SceneNeeds &needs, const std::string &name) {
 
 std::string definitions_of(const SceneNeeds &needs) {
     constexpr std::pair<const char *, int> smallest[] = {
-        {"HAS_SPHERES", 0},
-        {"HAS_PLANES", 0},
-        {"HAS_TRIANGLES", 0},
-        {"HAS_TREE", 0},
-        {"HAS_MATERIALS", 0},
-        {"HAS_LIGHTS", 0},
-        {"HAS_POINT_LIGHT", 0},
-        {"HAS_DIRECTIONAL_LIGHT", 0},
-        {"HAS_REFLECTION", 0},
-        {"HAS_DIELECTRIC", 0},
-        {"HAS_DIELECTRIC_MESH", 0},
-        {"HAS_TEXTURES", 0},
-        {"HAS_MESH_TEXTURES", 0},
-        {"MAX_DEPTH", 0},
-        {"CUTOFF_ONE_IN", 0},
-        {"STACK_SIZE", 1},
-        {"WIDTH", 1},
+        {"HAS_SPHERES", 0},         {"HAS_PLANES", 0},
+        {"HAS_TRIANGLES", 0},       {"HAS_TREE", 0},
+        {"HAS_MATERIALS", 0},       {"HAS_LIGHTS", 0},
+        {"HAS_POINT_LIGHT", 0},     {"HAS_DIRECTIONAL_LIGHT", 0},
+        {"HAS_REFLECTION", 0},      {"HAS_DIELECTRIC", 0},
+        {"HAS_DIELECTRIC_MESH", 0}, {"HAS_MEDIA", 0},
+        {"HAS_TEXTURES", 0},        {"HAS_MESH_TEXTURES", 0},
+        {"MAX_DEPTH", 0},           {"CUTOFF_ONE_IN", 0},
+        {"STACK_SIZE", 1},          {"WIDTH", 1},
         {"BVH_STACK_SIZE", 1},
     };
     std::string definitions;

@@ -193,7 +193,8 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const RenderSettings &settings, Picture picture)
     : context_(context),
       needs_(needs_of(scene, stage_number(stage), settings.max_depth, cutoff_of(settings.methods))),
-      samples_(settings.samples), is_double_(is_double(settings.methods)) {
+      media_(scene, settings.eye_moves), samples_(settings.samples),
+      is_double_(is_double(settings.methods)) {
     const int number = stage_number(stage);
     const Transfer decode = decode_of(number, settings.methods);
     require_memory(device, scene, decode, picture_bytes(device, settings.width, settings.height),
@@ -201,6 +202,9 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     if (number >= packet_stage) {
         width_ = rays_at_a_time(device, settings);
         needs_.emplace_back("WIDTH", width_);
+    }
+    if (number > 1 && !media_.materials().empty()) {
+        needs_.emplace_back("HAS_MEDIA", 1);
     }
     Bvh bvh;
     if (number >= tree_stage) {
@@ -229,7 +233,7 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     });
     milliseconds_.upload = timed("copying the scene to the device", [&] {
         names_ = argument_names(kernel_, argument_order(needs_, number));
-        scene_.emplace(context, device, kernel_, names_, scene, decode, bvh);
+        scene_.emplace(context, device, kernel_, names_, scene, decode, bvh, media_);
         if (settings.split && scene_->textures()) {
             plain_textures_.emplace(context, device, scene, Transfer::none);
         }

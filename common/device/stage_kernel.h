@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "device/device_scene.h"
+#include "device/media.h"
 #include "device/methods.h"
 #include "device/opencl.h"
 #include "device/sample_mean.h"
@@ -27,6 +28,7 @@ struct RenderSettings {
     int samples = 1;  // a pixel
     Methods methods;
     std::optional<std::filesystem::path> kernels;  // a checkout to read the kernels from
+    bool eye_moves = false;                        // into glass, perhaps
     bool split = false;  // right of the middle, texels are taken for light (stage 08)
 };
 
@@ -93,6 +95,7 @@ public:
 
     const cl::Kernel &kernel() const { return kernel_; }
     const SceneNeeds &needs() const { return needs_; }
+    const Media &media() const { return media_; }
     const std::string &options() const { return options_; }
     const BuildTimes &milliseconds() const { return milliseconds_; }
     // What lies on the device, by argument; the picture is not the kernel's.
@@ -107,6 +110,7 @@ private:
 
     cl::Context context_;
     SceneNeeds needs_;
+    Media media_;
     std::string options_;
     cl::Kernel kernel_;
     std::optional<DeviceScene> scene_;

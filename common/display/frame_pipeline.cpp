@@ -103,7 +103,8 @@ void FramePipeline::start(const CameraDescription &camera) {
         started_ = 0;
     }
     camera_ = camera;
-    const device::DoubleCamera view = to_device(camera, settings_.width, settings_.height);
+    device::DoubleCamera view = to_device(camera, settings_.width, settings_.height);
+    view.media = kernel_->media().at(scene_, camera.position);
     while (!attempt([&] { rung_->start(*kernel_, view, started_); })) {  // the next begins anew
     }
     ++started_;

@@ -19,6 +19,7 @@ template <typename Number> struct Hit {
     int material;
     Number offset;      // rays from here start this far off the surface
     Surface surface{};  // which one: World says
+    int body = -1;      // the dielectric it bounds, of World::bodies(); none of what is opaque
     bool from_behind = false;
 };
 

@@ -3,19 +3,23 @@
 // section 2: "loops over all geometry and performs intersection tests").
 #pragma once
 
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "reference/hit.h"
 #include "reference/patches.h"
+#include "scene/bodies.h"
 
 namespace stagelight::reference {
 
 template <typename Number> class World {
 public:
     explicit World(const Scene &scene)
-        : scene_(scene), tree_(scene), patches_(smooth_patches(scene)) {}
+        : scene_(scene), bodies_(bodies_of(scene)), tree_(scene), patches_(smooth_patches(scene)) {}
 
     const Scene &scene() const { return scene_; }
+    const Bodies &bodies() const { return bodies_; }
 
     std::optional<Hit<Number>> closest_hit(const Ray<Number> &ray) const {
         const Nearest nearest = search(ray);
@@ -25,8 +29,12 @@ public:
         hit.surface = {nearest.kind, int(nearest.index)};
         if (nearest.kind == Surface::Kind::patch)
             hit.surface.index = patches_[nearest.index];
+        hit.body = body_of(nearest);
         return turned_to_eye(hit, ray.direction);
     }
+
+    // Those that hold a point, in ascending order: they are seen from behind from there.
+    std::vector<int> bodies_at(const Vec<Number> &point) const;
 
     bool blocked(const Ray<Number> &ray) const;
     bool blocked(const Line<Number> &line) const;
@@ -45,6 +53,18 @@ private:
     };
 
     Nearest search(const Ray<Number> &ray) const;
+    void add_bodies_behind(Ray<Number> ray, std::map<int, bool> &holds) const;
+
+    int body_of(const Nearest &nearest) const {
+        switch (nearest.kind) {
+        case Surface::Kind::sphere:
+            return bodies_.of_sphere[nearest.index];
+        case Surface::Kind::plane:
+            return bodies_.of_plane[nearest.index];
+        default:
+            return bodies_.of_triangle[nearest.index];
+        }
+    }
 
     Hit<Number> hit_on(const Nearest &nearest, const Ray<Number> &ray) const {
         switch (nearest.kind) {
@@ -58,6 +78,7 @@ private:
     }
 
     const Scene &scene_;
+    Bodies bodies_;
     TriangleTree<Number> tree_;
     std::vector<int> patches_;
 };
@@ -80,6 +101,31 @@ typename World<Number>::Nearest World<Number>::search(const Ray<Number> &ray) co
         return false;
     });
     return nearest;
+}
+
+// Of each body that the ray meets, whether it comes out of it first.
+template <typename Number>
+void World<Number>::add_bodies_behind(Ray<Number> ray, std::map<int, bool> &holds) const {
+    while (const auto hit = closest_hit(ray)) {
+        if (hit->body >= 0)
+            holds.emplace(hit->body, hit->from_behind);
+        ray.origin = hit->point - hit->offset * hit->geometric_normal;
+    }
+}
+
+template <typename Number>
+std::vector<int> World<Number>::bodies_at(const Vec<Number> &point) const {
+    std::map<int, bool> holds;
+    if (!bodies_.list.empty()) {
+        const Vec<Number> up = glm::normalize(Vec<Number>(Number(0.36), Number(0.87), Number(0.2)));
+        add_bodies_behind({point, up}, holds);
+        add_bodies_behind({point, -up}, holds);  // a half-space may lie that way alone
+    }
+    std::vector<int> bodies;
+    for (const auto &[body, is_inside] : holds)
+        if (is_inside)
+            bodies.push_back(body);
+    return bodies;
 }
 
 template <typename Number> bool World<Number>::blocked(const Ray<Number> &ray) const {

@@ -34,11 +34,12 @@ static Hit get_hit(const HitLanes *lanes, const int lane) {
 typedef struct IncomingLanes {
     Lanes3 origin, direction, weight;
     LanesInt depth;
+    LanesInt media;
     Lanes3 absorption;
 } IncomingLanes;
 
 // As primary_ray.
-static void store_primary(IncomingLanes *lanes, const WideRays *rays) {
+static void store_primary(IncomingLanes *lanes, const Scene *scene, const WideRays *rays) {
     store_lanes(&lanes->origin, rays->origin);
     store_lanes(&lanes->direction, rays->direction);
     // #region primary_weight
@@ -46,6 +47,10 @@ static void store_primary(IncomingLanes *lanes, const WideRays *rays) {
     // #endregion primary_weight
     lanes->depth.wide = 0;
     store_lanes(&lanes->absorption, wide3((float3)(0.0f)));
+    if (HAS_MEDIA) {
+        lanes->media.wide = scene->eye_media;
+        store_lanes(&lanes->absorption, wide3(XYZ(medium_at(scene, scene->eye_media).absorption)));
+    }
 }
 
 static PendingRay get_incoming(const IncomingLanes *lanes, const int lane) {
@@ -54,6 +59,7 @@ static PendingRay get_incoming(const IncomingLanes *lanes, const int lane) {
     pending.ray.direction = get_lane(&lanes->direction, lane);
     pending.weight = get_lane(&lanes->weight, lane);
     pending.depth = lanes->depth.lane[lane];
+    pending.media = HAS_MEDIA ? lanes->media.lane[lane] : 0;
     pending.absorption = get_lane(&lanes->absorption, lane);
     return pending;
 }
@@ -63,6 +69,9 @@ static void put_incoming(IncomingLanes *lanes, const int lane, const PendingRay 
     put_lane(&lanes->direction, lane, pending->ray.direction);
     put_lane(&lanes->weight, lane, pending->weight);
     lanes->depth.lane[lane] = pending->depth;
+    if (HAS_MEDIA) {
+        lanes->media.lane[lane] = pending->media;
+    }
     put_lane(&lanes->absorption, lane, pending->absorption);
 }
 // #endregion incoming
@@ -109,6 +118,16 @@ static void shade_packet(const Scene *scene, const WideRays *rays, const WideHit
     *weights = load_lanes(&weight_lanes);
 }
 
+// What is left of it where a ray ends in no surface.
+static Wide3 background_light(const Scene *scene, const IncomingLanes *incoming) {
+    Lanes3 weights = incoming->weight;
+    for (int lane = 0; HAS_MEDIA && lane < WIDTH; ++lane) {
+        const float3 left = transmittance(get_lane(&incoming->absorption, lane), MAXFLOAT);
+        put_lane(&weights, lane, get_lane(&weights, lane) * left);
+    }
+    return wide_product(load_lanes(&weights), wide3(XYZ(scene->background)));
+}
+
 // One ray of each lane: adds the light that its hit sends on at once.
 static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *incoming,
                        RayStack stacks[][BOUNCE_LANES], RayCounts counts[][BOUNCE_LANES], Wide3 *colors,
@@ -119,7 +138,7 @@ static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *
     WideInt lit[PACKETS];
     Wide3 weights[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
-        const Wide3 background = wide_product(load_lanes(&incoming[packet].weight), wide3(XYZ(scene->background)));
+        const Wide3 background = background_light(scene, &incoming[packet]);
         const WideInt misses =  // without a word of infinity, which relaxed math does not know
             (hits[packet].shape == SHAPE_NONE) & (rays[packet].t_max > 0.0f);
         colors[packet] = wide_sum(colors[packet], masked(misses, background));
@@ -159,7 +178,7 @@ static void trace_packets(const Scene *scene, WideRays *rays, Wide3 *colors, Ray
     RayStack stacks[PACKETS][BOUNCE_LANES];
     RayCounts counts[PACKETS][BOUNCE_LANES];
     for (int packet = 0; packet < PACKETS; ++packet) {
-        store_primary(&incoming[packet], &rays[packet]);
+        store_primary(&incoming[packet], scene, &rays[packet]);
         for (int lane = 0; lane < BOUNCE_LANES; ++lane) {
             stacks[packet][lane].count = 0;
             counts[packet][lane] = *sum;

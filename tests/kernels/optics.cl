@@ -95,11 +95,13 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
     DielectricMaterial glass;
     glass.absorption = absorptions[i];
     glass.ior = media[i].x;
+    glass.medium = 0;
     PendingRay incoming;
     incoming.ray.origin = surface.position - directions[i].xyz;
     incoming.ray.direction = directions[i].xyz;
     incoming.weight = (float3)(1.0f);
     incoming.depth = convert_int(media[i].z);
+    incoming.media = 0;
     incoming.absorption = (float3)(0.5f);
     RayStack stack;
     stack.count = 0;
@@ -108,7 +110,7 @@ __kernel void spawn(__global Spawned *results, __global const float4 *directions
         spawn_through_sphere(&stack, &incoming, &surface, &glass, spheres[i].xyz, (float3)(1.0f),
                              &counts);
     } else {
-        spawn_dielectric(&stack, &incoming, &surface, &glass, (float3)(1.0f), &counts);
+        spawn_dielectric(0, &stack, &incoming, &surface, &glass, (float3)(1.0f), &counts);
     }
     results[i].rays[0] = spawned_ray(&stack, 0);
     results[i].rays[1] = spawned_ray(&stack, 1);

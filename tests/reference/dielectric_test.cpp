@@ -56,8 +56,7 @@ TEST(ReferenceStage04Snell, AllIsReflectedBeyondTheCriticalAngle) {
 
 // The half space below y = 0 is glass; in it, at y = -2, lies a lit floor. A ray that goes up at
 // an angle from depth 1 meets the surface from behind. Beyond the critical angle it sees the floor
-// by reflection alone, through 2 / cos of glass. (The eye's own way, in no refracted ray, is
-// not absorbed.)
+// by reflection alone, through 1 / cos of glass on the way up and 2 / cos on the way down.
 TEST(ReferenceStage04Reflection, TotalInsideAndAbsorbedOnItsWay) {
     const double angle = std::asin(1 / ior) + 0.01;
     const dvec3 absorption(0.1, 0.5, 0), paint(0.9, 0.8, 0.7);
@@ -69,7 +68,7 @@ TEST(ReferenceStage04Reflection, TotalInsideAndAbsorbedOnItsWay) {
     const dvec3 lamp(std::tan(angle) * 3, -1, 0);  // one above where the floor is met
     add_point_light(scene, lamp, {1, 1, 1}, 1);
     expect_near(seen(scene, ray({0, -1, 0}, -down_at(-angle))),
-                paint * glm::exp(-absorption * length), 1e-12);
+                paint * glm::exp(-absorption * (1.5 * length)), 1e-12);
 }
 
 // Just inside the critical angle both are seen: F · floor + (1 - F) · sky.
@@ -126,14 +125,14 @@ TEST(ReferenceStage04Beer, AnAxialRayThroughABallIsAGeometricSeries) {
     }
 }
 
-// The eye in the middle of the ball: what leaves at once comes unweakened, c (1-F) b; the rest
-// is reflected back through the whole ball.
+// The eye in the middle of the ball: what leaves at once, c (1-F) b, comes through half of it; the
+// rest is reflected back through the whole ball.
 TEST(ReferenceStage04Beer, AnEyeInsideABallSeesOutOfIt) {
     const Ball ball{.color = {0.9, 0.6, 1}};
     const dvec3 c = ball.color, T = glm::exp(-ball.absorption * (2 * ball.radius));
     const double F = at_normal;
     expect_near(seen(ball_scene(ball), ray({0, 0, 0}, {0, 0, -1}), {.max_depth = 64}),
-                c * (1 - F) * sky / (1.0 - c * F * T), 1e-13);
+                c * glm::sqrt(T) * (1 - F) * sky / (1.0 - c * F * T), 1e-13);
 }
 
 // Off the axis by p: sin1 = p / r, the chord is 2 r cos2, and the share F is the same at every
@@ -186,11 +185,11 @@ TEST(ReferenceStage04Snell, BothInteriorsLeaveTheBallAtTheSamePlace) {
     expect_near(paper.children.at(1).point, expected, 1e-12);
 }
 
-// The paper's eye inside the ball refracts out, once: all of the sky, c b.
-TEST(ReferenceStage04Beer, ThePapersEyeInsideSeesAllOfTheSky) {
+// The paper's eye inside the ball refracts out, once: c b, through half of the ball.
+TEST(ReferenceStage04Beer, ThePapersEyeInsideSeesTheSkyAtOnce) {
     const Ball ball{.color = {0.9, 0.6, 1}};
     expect_near(seen(ball_scene(ball), ray({0, 0, 0}, {0, 0, -1}), {.interior = Interior::paper}),
-                ball.color * sky, 1e-15);
+                ball.color * glm::exp(-ball.absorption * ball.radius) * sky, 1e-15);
 }
 
 // What a refracted ray finds inside is weakened by the way to it alone: a mirror ball of

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Stage 04 against answers worked out by hand.
+#include "reference/layers.h"
 #include "render/on_each_device.h"
+#include "scene/radiance_bound.h"
 
 namespace stagelight::render {
 namespace {
 
 class Stage04Beer : public OnEachDevice {};
 class Stage04Energy : public OnEachDevice {};
+class Stage04Media : public OnEachDevice {};
 INSTANTIATE_TEST_SUITE_P(Devices, Stage04Beer, each_device(), device_name);
 INSTANTIATE_TEST_SUITE_P(Devices, Stage04Energy, each_device(), device_name);
+INSTANTIATE_TEST_SUITE_P(Devices, Stage04Media, each_device(), device_name);
 
 constexpr auto stage = "04_refraction_beer";
 constexpr double ior = 1.5, radius = 0.7;
@@ -57,14 +61,15 @@ TEST_P(Stage04Beer, AlongTheAxisThePaperPassesOnce) {
     EXPECT_EQ(frame.rays.dropped, 0u);
 }
 
-// From inside, b (1-F) c comes unweakened: nothing is hit on its way. With the depth of 1 the
+// From the middle, b (1-F) c comes weakened by the way to the wall. With the depth of 1 the
 // reflected rest meets the far wall and ends there.
-TEST_P(Stage04Beer, FromTheMiddleTheSkyComesUnweakened) {
+TEST_P(Stage04Beer, FromTheMiddleHalfTheBallIsInTheWay) {
     Scene scene = ball_ahead(sky, glass(c, ior, absorption));
     scene.camera.position = {0, 0, 0};
     scene.camera.look_at = {0, 0, -1};
     scene.max_depth = 1;
-    expect_color(draw(stage, scene).image, 0, 0, c * (1 - F) * sky);
+    expect_color(draw(stage, scene).image, 0, 0,
+                 c * (1 - F) * glm::exp(-absorption * radius) * sky);
 }
 
 // In a white world, what D bounces show of clear glass is all but what they cut off:
@@ -99,7 +104,21 @@ TEST_P(Stage04Beer, AnEyeInsideSeesATruncatedSeries) {
     for (const int depth : {1, 2, 6}) {
         scene.max_depth = depth;
         expect_color(draw(stage, scene).image, 0, 0,
-                     (1 - F) * c * sky * (1.0 - glm::pow(q, dvec3(depth))) / (1.0 - q));
+                     glm::exp(-absorption * radius) * (1 - F) * c * sky
+                         * (1.0 - glm::pow(q, dvec3(depth))) / (1.0 - q));
+    }
+}
+
+// Through the loop over shapes, a tree, packets beside each other and the full tracer.
+TEST_P(Stage04Media, AreThereByPrecedence) {
+    for (const char *each : {stage, "09_tree", "10_packets", "11_full_tracer"}) {
+        for (const LayeredScene &it : layered_scenes()) {
+            SCOPED_TRACE(std::string(each) + ", " + it.what);
+            const Frame frame = draw(each, it.scene);
+            const double cut_off = frame.rays.cut_off_weight * radiance_bound(it.scene);
+            expect_color(frame.image, 0, 0, it.expected(),
+                         few_roundings + std::sqrt(3.0) * cut_off);
+        }
     }
 }
 

@@ -26,35 +26,33 @@ typedef struct RayStack {
 // #region spawn_dielectric
 #define DISPERSION 0.05f
 
-static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const Surface *surface,
-                             const DielectricMaterial *glass, const float3 weight,
+static void spawn_dielectric(const Scene *scene, RayStack *stack, const PendingRay *incoming,
+                             const Surface *surface, const DielectricMaterial *glass, const float3 weight,
                              RayCounts *counts) {
-    PendingRay here = *incoming;
-    if (surface->from_behind) {  // what is reflected in glass runs in it, even if the eye was there
-        here.absorption = XYZ(glass->absorption);
-    }
+    const DielectricMaterial outside = medium_at(scene, incoming->media & ~glass->medium);
 // #stub
     // your turn
-    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior);
-    spawn_reflected(stack, &here, surface, weight * interface.reflectance, counts);
+    const Interface interface = interface_at(surface, incoming->ray.direction, glass->ior / outside.ior);
+    spawn_reflected(stack, incoming, surface, weight * interface.reflectance, counts);
     if (interface.reflectance < 1.0f) {
         PendingRay refracted;
         refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
         refracted.ray.direction = interface.refracted;
         refracted.weight = weight * (1.0f - interface.reflectance);
         refracted.depth = incoming->depth + 1;
-        refracted.absorption = surface->from_behind ? (float3)(0.0f) : XYZ(glass->absorption);
+        refracted.media = media_beyond(incoming->media, surface, glass);
+        refracted.absorption = surface->from_behind ? XYZ(outside.absorption) : XYZ(glass->absorption);
         push_ray(stack, refracted, &counts->refraction, counts);
     }
 // #solution
     Interface interfaces[3];
     for (int channel = 0; channel < 3; ++channel) {
         const float ior = glass->ior + DISPERSION * (float)(channel - 1);
-        interfaces[channel] = interface_at(surface, incoming->ray.direction, ior);
+        interfaces[channel] = interface_at(surface, incoming->ray.direction, ior / outside.ior);
     }
     const float3 reflectance = (float3)(interfaces[0].reflectance, interfaces[1].reflectance,
                                         interfaces[2].reflectance);
-    spawn_reflected(stack, &here, surface, weight * reflectance, counts);
+    spawn_reflected(stack, incoming, surface, weight * reflectance, counts);
     for (int channel = 0; channel < 3; ++channel) {
         const float3 only = (float3)(channel == 0, channel == 1, channel == 2);
         PendingRay refracted;
@@ -63,7 +61,8 @@ static void spawn_dielectric(RayStack *stack, const PendingRay *incoming, const 
             refracted.ray.origin = offset_ray_origin(surface, -surface->geometric_normal);
             refracted.ray.direction = interfaces[channel].refracted;
             refracted.depth = incoming->depth + 1;
-            refracted.absorption = surface->from_behind ? (float3)(0.0f) : XYZ(glass->absorption);
+            refracted.media = media_beyond(incoming->media, surface, glass);
+            refracted.absorption = surface->from_behind ? XYZ(outside.absorption) : XYZ(glass->absorption);
             push_ray(stack, refracted, &counts->refraction, counts);
         }
     }

@@ -31,7 +31,7 @@ typedef struct WideRays {
                       : carried.z > 0.0f ? glass->ior + DISPERSION
                                          : glass->ior;
 // #end
-    const Interface interface = interface_at(surface, incoming->ray.direction, ior);
+    const Interface interface = interface_at(surface, incoming->ray.direction, ior / outside.ior);
 // #endregion at_wall
 
 // kernels/packets/render.cl
