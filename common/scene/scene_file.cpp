@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "scene/errors.h"
+#include "scene/large_triangles.h"
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
 #include "scene/normalize.h"
@@ -132,6 +133,7 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         read_mesh(scene, table, materials);
         progress.step();
     }
+    cut_large_triangles(scene);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene
     }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Triangles so large that float would lose what stands on them.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace stagelight {
+
+// In float, where a triangle is hit is known to a few millionths of its size: on a ground of 20 km
+// a coin would have no shadow. So a triangle that is more than 128 times as long as another object
+// and the way to it, the eye's too, is cut into smaller ones, the smaller the nearer they are. The
+// surface stays the same, and closed (Rivara, Algorithms for Refining Triangular Grids Suitable for
+// Adaptive and Multigrid Techniques, 1984). Nothing changes in other scenes.
+void cut_large_triangles(Scene &scene);
+
+}  // namespace stagelight
