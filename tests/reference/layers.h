@@ -108,6 +108,7 @@ inline std::vector<LayeredScene> layered_scenes() {
            0);
 
     scene = from(5);
+    scene.max_depth = 3;  // as many walls as are there
     add(scene, 0.7, 1, 1.7, amber);
     add(scene, -0.5, 1.2, 1.5, red);
     expect("two balls that reach into each other: the smaller one is there", scene,
