@@ -22,7 +22,7 @@
 namespace stagelight {
 namespace {
 
-constexpr double largest_ratio = 128;
+constexpr double largest_ratio = 24;
 
 double longest_edge(const Scene &scene, const Triangle &triangle) {
     double longest = 0;
