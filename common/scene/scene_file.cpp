@@ -12,6 +12,7 @@
 #include "scene/errors.h"
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
+#include "scene/orient.h"
 #include "scene/progress.h"
 #include "scene/toml_reader.h"
 #include "scene/unit_vector.h"
@@ -132,6 +133,7 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         read_mesh(scene, table, materials);
         progress.step();
     }
+    scene.warnings = orient_dielectrics(scene);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene
     }
