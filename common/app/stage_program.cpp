@@ -146,8 +146,10 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
     // and a child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
     require_supported(scene, stage_number(stage));
-    for (const std::string &line : open_dielectric_meshes(scene)) {
-        warn(line);
+    for (const std::vector<std::string> &lines : {scene.warnings, open_dielectric_meshes(scene)}) {
+        for (const std::string &line : lines) {
+            warn(line);
+        }
     }
     RenderSettings settings = settings_of(options, scene, stage_number(stage));
     if (options.export_pov) {

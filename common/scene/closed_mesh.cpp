@@ -4,30 +4,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
-#include <tuple>
 
 #include <fmt/format.h>
 
+#include "scene/dielectrics.h"
+#include "scene/places.h"
+
 namespace stagelight {
 namespace {
-
-// Of each vertex the number of its position; the same for vertices at the same place.
-std::vector<std::uint32_t> places_of(const std::vector<Vertex> &vertices) {
-    const auto position = [&vertices](std::uint32_t vertex) {
-        const glm::dvec3 &p = vertices[vertex].position;
-        return std::tie(p.x, p.y, p.z);
-    };
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, position);
-    std::vector<std::uint32_t> places(vertices.size());
-    for (std::size_t i = 1; i < order.size(); ++i) {
-        places[order[i]] =
-            places[order[i - 1]] + (position(order[i]) == position(order[i - 1]) ? 0 : 1);
-    }
-    return places;
-}
 
 struct Edge {
     int mesh;
@@ -40,8 +24,7 @@ std::vector<Edge> dielectric_edges(const Scene &scene) {
     std::vector<std::uint32_t> places;
     std::vector<Edge> edges;
     for (const Triangle &triangle : scene.triangles) {
-        if (scene.materials[static_cast<std::size_t>(triangle.material)].type
-            == MaterialType::dielectric) {
+        if (is_dielectric(scene, triangle.material)) {
             if (places.empty()) {
                 places = places_of(scene.vertices);
             }
@@ -63,7 +46,7 @@ std::vector<std::string> open_dielectric_meshes(const Scene &scene) {
     const std::vector<Edge> edges = dielectric_edges(scene);
     for (auto edge = edges.begin(); edge != edges.end();) {
         const auto next = std::upper_bound(edge, edges.end(), *edge);
-        faults[static_cast<std::size_t>(edge->mesh)] += next - edge == 2 ? 0 : 1;
+        faults[static_cast<std::size_t>(edge->mesh)] += (next - edge) % 2 == 0 ? 0 : 1;
         edge = next;
     }
     std::vector<std::string> lines;

@@ -10,8 +10,9 @@
 namespace stagelight {
 
 // One line for each mesh of dielectric material that is not closed: its place in the scene's file,
-// and how many of its edges have not just two triangles. Edges are told by the positions of their
-// ends, exactly: a mesh is closed across the seams of its normals and texture coordinates.
+// and how many of its edges have not two triangles, or four as where two of its parts touch. Edges
+// are told by the positions of their ends, exactly: a mesh is closed across the seams of its
+// normals and texture coordinates.
 std::vector<std::string> open_dielectric_meshes(const Scene &scene);
 
 }  // namespace stagelight

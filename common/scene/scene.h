@@ -119,7 +119,8 @@ struct Scene {
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
     std::vector<Light> lights;
-    std::vector<Texture> textures;  // each file once
+    std::vector<Texture> textures;      // each file once
+    std::vector<std::string> warnings;  // about what was loaded, one line each
 };
 
 }  // namespace stagelight

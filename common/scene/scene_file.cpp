@@ -14,6 +14,7 @@
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
 #include "scene/normalize.h"
+#include "scene/orient.h"
 #include "scene/progress.h"
 #include "scene/toml_reader.h"
 #include "scene/validators.h"
@@ -133,6 +134,7 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         read_mesh(scene, table, materials);
         progress.step();
     }
+    scene.warnings = orient_dielectrics(scene);
     cut_large_triangles(scene);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene
