@@ -142,8 +142,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_flag("--window", options.window,
                  "open a window: F1 shows its keys (else --display none, but for 07_interop)");
     app.add_option("--display", display,
-                   "the rung of the ladder to begin at; one that does not hold gives way to the "
-                   "next (--window: auto, which is shared)")
+                   "the display path to try first; one that does not work gives way to the next "
+                   "(--window: auto, which is shared)")
         ->check(CLI::IsMember(std::vector<std::string>{"auto", "shared", "copy", "none"}));
     app.add_option("--texture", texture, "what the window's texture holds")
         ->check(CLI::IsMember(std::vector<std::string>{"rgba16f", "rgba32f"}))

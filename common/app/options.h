@@ -12,7 +12,7 @@
 
 namespace stagelight {
 
-// The rung of the display ladder to begin at; a rung that does not hold gives way to the next.
+// The display path to try first; one that does not work gives way to the next.
 enum class Display { shared, copy, none };
 
 struct Options {

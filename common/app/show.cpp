@@ -68,9 +68,9 @@ ViewSettings view_of(const std::string &stage, const Options &options) {
     return view;
 }
 
-std::deque<RungName> ladder_of(Display display) {
-    return display == Display::shared ? std::deque{RungName::shared, RungName::copy}
-                                      : std::deque{RungName::copy};
+std::deque<DisplayPath> paths_of(Display display) {
+    return display == Display::shared ? std::deque{DisplayPath::shared, DisplayPath::copy}
+                                      : std::deque{DisplayPath::copy};
 }
 
 RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const ViewFigures &seen,
@@ -83,7 +83,7 @@ RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const
     figures.radiance_bound = radiance_bound(scene);
     figures.bytes_on_device = pipeline.bytes();
     figures.startup = startup;
-    figures.display = {.rung = to_string(pipeline.rung()),
+    figures.display = {.path = to_string(pipeline.path()),
                        .reason = pipeline.reason(),
                        .api = window.api() == ContextApi::egl ? "egl" : "glx",
                        .color_bits = window.color_bits(),
@@ -100,7 +100,7 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
         const DriverWatch watch(options.kernels);
         first_that_builds(devices_for(window, options, scene), [&](const cl::Device &device) {
             warn_of_width(device, settings.methods);
-            built.emplace(device, window.api(), stage, scene, settings, ladder_of(options.display),
+            built.emplace(device, window.api(), stage, scene, settings, paths_of(options.display),
                           options.texture_format);
         });
     }
@@ -140,7 +140,7 @@ Shown show(const std::string &stage, const Options &options, const Scene &scene,
     try {
         show_in(*window, stage, options, scene, settings, startup);
         return {true, ""};
-    } catch (const RungLost &lost) {
+    } catch (const PresenterLost &lost) {
         if (options.window) {
             throw MachineError(
                 fmt::format("{}; --display none writes a picture file", lost.what()));

@@ -16,8 +16,8 @@ struct Shown {
     std::string reason;  // why not
 };
 
-// Shows the scene until the window is closed, on the rung of `options` or one below it. Where no
-// window is to be had, throws MachineError if one was demanded, else says why.
+// Shows the scene until the window is closed, on the display path of `options` or one after it.
+// Where no window is to be had, throws MachineError if one was demanded, else says why.
 Shown show(const std::string &stage, const Options &options, const Scene &scene,
            const RenderSettings &settings, Startup &startup);
 

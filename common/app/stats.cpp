@@ -88,7 +88,7 @@ ordered_json timeline_json(const std::vector<FrameTimes> &frames) {
 }
 
 ordered_json display_json(const DisplayFigures &display) {
-    ordered_json json = {{"rung", display.rung}, {"reason", display.reason}};
+    ordered_json json = {{"path", display.path}, {"reason", display.reason}};
     if (!display.frames.empty()) {
         json["api"] = display.api;
         json["color_bits"] = display.color_bits;

@@ -19,7 +19,7 @@
 namespace stagelight {
 
 struct DisplayFigures {
-    std::string rung = "none";
+    std::string path = "none";
     std::string reason;  // why that one, and none above it
     // Of a window alone:
     std::string api;     // glx or egl
