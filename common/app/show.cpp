@@ -12,22 +12,12 @@
 #include "display/gl_sharing.h"
 #include "display/viewer.h"
 #include "image/image_io.h"
-#include "image/whole_file.h"
 #include "scene/errors.h"
 #include "scene/radiance_bound.h"
 #include "scene/stages.h"
 
 namespace stagelight {
 namespace {
-
-void require_outputs(const Options &options) {
-    if (options.out) {
-        require_writable(*options.out);
-    }
-    if (options.stats) {
-        require_writable_place(*options.stats);
-    }
-}
 
 std::vector<cl::Device> devices_for(const Window &window, const Options &options,
                                     const Scene &scene) {
@@ -126,7 +116,6 @@ void show_in(Window &window, const std::string &stage, const Options &options, c
 
 Shown show(const std::string &stage, const Options &options, const Scene &scene,
            const RenderSettings &settings, Startup &startup) {
-    require_outputs(options);
     std::optional<Window> window;
     try {
         window.emplace(window_of(stage, options, settings));

@@ -31,14 +31,34 @@
 namespace stagelight {
 namespace {
 
-void require_outputs(const std::filesystem::path &out, const Options &options) {
+// Of a picture that the user gave no name. Whether it was missing.
+bool make_folder(const std::filesystem::path &out) {
     const std::filesystem::path folder = out.parent_path();
-    if (std::error_code error;
-        !options.out && !exists(folder) && !create_directories(folder, error) && error) {
+    std::error_code error;
+    const bool is_new = !exists(folder) && create_directories(folder, error);
+    if (error) {
         throw UserError(fmt::format("{}: the folder {} can't be made: {}; --out names another",
                                     out.string(), folder.string(), error.message()));
     }
-    require_writable(out);
+    return is_new;
+}
+
+// All that the run may write. A window that nobody demanded may give way to a picture file.
+void require_outputs(const std::string &stage, const Options &options) {
+    if (options.export_pov) {
+        require_writable_place(*options.export_pov);
+        return;
+    }
+    if (options.out) {
+        require_writable(*options.out);
+    } else if (!options.window) {
+        const std::filesystem::path out = default_out(stage);
+        const bool is_new = make_folder(out);
+        require_writable(out);
+        if (is_new) {
+            remove(out.parent_path());  // a run that fails leaves nothing
+        }
+    }
     if (options.stats) {
         require_writable_place(*options.stats);
     }
@@ -59,9 +79,6 @@ RenderSettings settings_of(const Options &options, const Scene &scene, int stage
 void draw(const std::string &stage, const Options &options, const Scene &scene,
           const RenderSettings &settings, const std::vector<cl::Device> &devices,
           const std::string &reason, Startup &startup) {
-    const std::filesystem::path out = options.out.value_or(default_out(stage));
-    require_outputs(out, options);
-
     std::optional<DriverWatch> watch(std::in_place, options.kernels);
     std::optional<Renderer> built;
     const cl::Device device = first_that_builds(devices, [&](const cl::Device &candidate) {
@@ -95,6 +112,10 @@ void draw(const std::string &stage, const Options &options, const Scene &scene,
     figures.bytes_on_device = renderer.bytes();
 
     startup.skip();  // the frames after the first
+    const std::filesystem::path out = options.out.value_or(default_out(stage));
+    if (!options.out) {
+        make_folder(out);
+    }
     write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
     startup.done("write");
     figures.startup = startup;
@@ -141,6 +162,7 @@ bool choose_by_error(const std::string &stage, const Options &options, const Sce
 }
 
 int run(const std::string &stage, const Options &options, Startup &startup) {
+    require_outputs(stage, options);
     startup.done("start");
     // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
     // and a child that is forked beside a loading library would find the loader locked for ever.
@@ -158,7 +180,6 @@ int run(const std::string &stage, const Options &options, Startup &startup) {
     int code = exit_done;
     std::vector<cl::Device> devices;
     if (options.max_error) {
-        require_outputs(options.out.value_or(default_out(stage)), options);  // before the wait
         devices = devices_to_try(options.device, needs_images);
         code = choose_by_error(stage, options, scene, settings, devices) ? exit_done
                                                                          : exit_check_failed;
