@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "device/kernel_cache.h"
+#include "device/driver_watch.h"
 #include "device/renderer.h"
 #include "scene/progress.h"
 

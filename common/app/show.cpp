@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "device/kernel_cache.h"
+#include "device/driver_watch.h"
 #include "display/gl_sharing.h"
 #include "scene/errors.h"
 #include "scene/stages.h"
