@@ -91,15 +91,17 @@ std::string list_methods(int stage) {
 }
 
 // Stage 07 is about the window, and opens one unless a picture file is asked for.
-Display display_of(const std::string &stage, const std::string &name, const Options &options) {
+std::deque<DisplayPath> paths_of(const std::string &stage, const std::string &name,
+                                 const Options &options) {
     if (options.window && name == "none") {
         throw UserError("--window and --display none: expected one of them");
     }
     if (name == "none"
         || (name.empty() && !options.window && (stage != "07_interop" || options.out))) {
-        return Display::none;
+        return {};
     }
-    return name == "copy" ? Display::copy : Display::shared;
+    return name == "copy" ? std::deque{DisplayPath::copy}
+                          : std::deque{DisplayPath::shared, DisplayPath::copy};
 }
 
 }  // namespace
@@ -142,8 +144,8 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_flag("--window", options.window,
                  "open a window: F1 shows its keys (else --display none, but for 07_interop)");
     app.add_option("--display", display,
-                   "the rung of the ladder to begin at; one that does not hold gives way to the "
-                   "next (--window: auto, which is shared)")
+                   "the display path to try first; one that does not work gives way to the next "
+                   "(--window: auto, which is shared)")
         ->check(CLI::IsMember(std::vector<std::string>{"auto", "shared", "copy", "none"}));
     app.add_option("--texture", texture, "what the window's texture holds")
         ->check(CLI::IsMember(std::vector<std::string>{"rgba16f", "rgba32f"}))
@@ -191,7 +193,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
         throw UserError(fmt::format("{} (--help lists the options)", error.what()));
     }
     require_distinct_files(options);
-    options.display = display_of(stage, display, options);
+    options.display = paths_of(stage, display, options);
     options.texture_format = texture == "rgba16f" ? TextureFormat::rgba16f : TextureFormat::rgba32f;
     if (options.split && options.out && is_exr(*options.out)) {
         throw UserError(fmt::format("--split --out {}: expected a .png, the eye's; EXR is linear",

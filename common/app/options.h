@@ -2,18 +2,16 @@
 // The command line that every stage's program has, read with CLI11.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "device/methods.h"
-#include "display/float_texture.h"
+#include "display/frame_pipeline.h"
 
 namespace stagelight {
-
-// The rung of the display ladder to begin at; a rung that does not hold gives way to the next.
-enum class Display { shared, copy, none };
 
 struct Options {
     std::filesystem::path scene;
@@ -22,9 +20,9 @@ struct Options {
     int samples = 1;
     std::optional<int> depth;  // bounces; else the scene's
     std::string device;
-    std::optional<int> frames;  // else one picture, and a window until it is closed
-    bool window = false;        // one is demanded
-    Display display = Display::none;
+    std::optional<int> frames;        // else one picture, and a window until it is closed
+    bool window = false;              // one is demanded
+    std::deque<DisplayPath> display;  // to try in order; else, and after them, a picture file
     TextureFormat texture_format = TextureFormat::rgba32f;
     bool split = false;  // figure 4 of the paper
     double scale = 1;    // the window's pixels for one of the picture's, each way

@@ -3,150 +3,101 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "app/stats.h"
-#include "device/device_choice.h"
-#include "device/kernel_cache.h"
+#include "device/driver_watch.h"
 #include "display/gl_sharing.h"
-#include "display/viewer.h"
-#include "image/image_io.h"
-#include "image/whole_file.h"
 #include "scene/errors.h"
-#include "scene/radiance_bound.h"
 #include "scene/stages.h"
 
 namespace stagelight {
 namespace {
 
-void require_outputs(const Options &options) {
-    if (options.out) {
-        require_writable(*options.out);
-    }
-    if (options.stats) {
-        require_writable_place(*options.stats);
-    }
+std::vector<cl::Device> devices_for(const Window &window, const Run &run) {
+    const bool needs_images = !run.scene.textures.empty();
+    return run.options.display.front() == DisplayPath::shared
+               ? devices_to_share(run.options.device, window.api(), needs_images)
+               : devices_to_try(run.options.device, needs_images);
 }
 
-std::vector<cl::Device> devices_for(const Window &window, const Options &options,
-                                    const Scene &scene) {
-    const bool needs_images = !scene.textures.empty();
-    return options.display == Display::shared
-               ? devices_to_share(options.device, window.api(), needs_images)
-               : devices_to_try(options.device, needs_images);
-}
-
-WindowSettings window_of(const std::string &stage, const Options &options,
-                         const RenderSettings &settings) {
+WindowSettings window_of(const Run &run) {
     constexpr double largest = 16384;  // each way, as X servers and drivers take it
+    const RenderSettings &settings = run.settings;
+    const double scale = run.options.scale;
     const auto pixels = [&](int length) {
-        if (length * options.scale > largest) {
+        if (length * scale > largest) {
             throw UserError(fmt::format(
                 "--scale {}: the window would be {:.0f}x{:.0f} pixels, expected {:.0f} at most "
                 "each way",
-                options.scale, settings.width * options.scale, settings.height * options.scale,
-                largest));
+                scale, settings.width * scale, settings.height * scale, largest));
         }
-        return static_cast<int>(std::lround(length * options.scale));
+        return static_cast<int>(std::lround(length * scale));
     };
     return {.width = pixels(settings.width),
             .height = pixels(settings.height),
-            .title = stage,
+            .title = run.stage,
             .api = ContextApi::native,
-            .vsync = !options.frames};  // what is timed waits for no screen
+            .vsync = !run.options.frames};  // what is timed waits for no screen
 }
 
-ViewSettings view_of(const std::string &stage, const Options &options) {
+// A window that nobody demanded gives way to a picture file.
+void open(std::optional<Window> &window, const Run &run) {
+    try {
+        window.emplace(window_of(run));
+    } catch (const MachineError &error) {
+        if (run.options.window) {
+            throw;
+        }
+        throw PresenterLost(error.what());
+    }
+}
+
+ViewSettings view_of(const Run &run) {
     ViewSettings view;
-    view.scale = options.scale;
-    view.frames = options.frames;
-    view.encode = encode_of(stage_number(stage), options.methods);
-    view.split = options.split;
-    view.screenshots = options.out.value_or(default_out(stage));
-    view.checkout = options.kernels.value_or(STAGELIGHT_CHECKOUT);
+    view.scale = run.options.scale;
+    view.frames = run.options.frames;
+    view.encode = encode_of(stage_number(run.stage), run.settings.methods);
+    view.split = run.options.split;
+    view.screenshots = run.options.out.value_or(default_out(run.stage));
+    view.checkout = run.options.kernels.value_or(STAGELIGHT_CHECKOUT);
     return view;
-}
-
-std::deque<RungName> ladder_of(Display display) {
-    return display == Display::shared ? std::deque{RungName::shared, RungName::copy}
-                                      : std::deque{RungName::copy};
-}
-
-RunFigures figures_of(const Window &window, const FramePipeline &pipeline, const ViewFigures &seen,
-                      const Scene &scene, const Startup &startup) {
-    RunFigures figures;
-    for (const FrameTimes &frame : seen.frames) {
-        figures.frames.push_back(frame.milliseconds);
-    }
-    figures.rays = seen.rays;
-    figures.radiance_bound = radiance_bound(scene);
-    figures.bytes_on_device = pipeline.bytes();
-    figures.startup = startup;
-    figures.display = {.rung = to_string(pipeline.rung()),
-                       .reason = pipeline.reason(),
-                       .api = window.api() == ContextApi::egl ? "egl" : "glx",
-                       .color_bits = window.color_bits(),
-                       .width = window.framebuffer_size().x,
-                       .height = window.framebuffer_size().y,
-                       .frames = seen.frames};
-    return figures;
-}
-
-void show_in(Window &window, const std::string &stage, const Options &options, const Scene &scene,
-             const RenderSettings &settings, Startup &startup) {
-    std::optional<FramePipeline> built;
-    {
-        const DriverWatch watch(options.kernels);
-        first_that_builds(devices_for(window, options, scene), [&](const cl::Device &device) {
-            warn_of_width(device, settings.methods);
-            built.emplace(device, window.api(), stage, scene, settings, ladder_of(options.display),
-                          options.texture_format);
-        });
-    }
-    FramePipeline &pipeline = *built;
-    startup.built(pipeline.stage_kernel());
-    Viewer viewer(window, pipeline, stage, scene, view_of(stage, options));
-    const ViewFigures seen = viewer.run();
-    if (options.out) {
-        write_image(seen.picture, *options.out, encode_of(stage_number(stage), options.methods),
-                    options.split);
-    }
-    if (!seen.frames.empty()) {
-        startup.done("first_frame", seen.first_shown);
-        report(stage, pipeline.device(), pipeline.stage_kernel(), pipeline.settings(),
-               figures_of(window, pipeline, seen, scene, startup), options);
-    }
-    if (options.out) {
-        fmt::print("wrote {}\n", options.out->string());
-    }
 }
 
 }  // namespace
 
-Shown show(const std::string &stage, const Options &options, const Scene &scene,
-           const RenderSettings &settings, Startup &startup) {
-    require_outputs(options);
+RunResult show(Run &run) {
     std::optional<Window> window;
-    try {
-        window.emplace(window_of(stage, options, settings));
-    } catch (const MachineError &error) {
-        if (options.window) {
-            throw;
-        }
-        return {false, error.what()};
+    open(window, run);
+    run.startup.done("window");
+    run.settings.eye_moves = !run.options.frames;
+    std::optional<DriverWatch> watch(std::in_place, run.options.kernels);
+    FramePipeline pipeline =
+        drawer_on_first(devices_for(*window, run), run, [&](const cl::Device &device) {
+            return FramePipeline(device, window->api(), run.stage, run.scene, run.settings,
+                                 run.options.display, run.options.texture_format);
+        });
+    watch.reset();
+    ViewFigures seen = Viewer(*window, pipeline, run.stage, run.scene, view_of(run)).run();
+    if (!seen.frames.empty()) {
+        run.startup.done("first_frame", seen.first_shown);
     }
-    startup.done("window");
-    try {
-        show_in(*window, stage, options, scene, settings, startup);
-        return {true, ""};
-    } catch (const RungLost &lost) {
-        if (options.window) {
-            throw MachineError(
-                fmt::format("{}; --display none writes a picture file", lost.what()));
-        }
-        return {false, lost.what()};
+    RunResult result = result_of(pipeline);
+    for (const FrameTimes &frame : seen.frames) {
+        result.frames.push_back(frame.milliseconds);
     }
+    result.rays = seen.rays;
+    result.picture = std::move(seen.picture);
+    result.file = run.options.out;
+    result.display = {.path = to_string(pipeline.path()),
+                      .reason = pipeline.reason(),
+                      .api = window->api() == ContextApi::egl ? "egl" : "glx",
+                      .color_bits = window->color_bits(),
+                      .width = window->framebuffer_size().x,
+                      .height = window->framebuffer_size().y,
+                      .frames = std::move(seen.frames)};
+    return result;
 }
 
 }  // namespace stagelight

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A stage's picture in a window.
+// A stage's picture, in a window.
 #pragma once
 
-#include <string>
-
-#include "app/options.h"
-#include "app/startup.h"
-#include "device/stage_kernel.h"
-#include "scene/scene.h"
+#include "app/run.h"
 
 namespace stagelight {
 
-struct Shown {
-    bool done = false;
-    std::string reason;  // why not
-};
-
-// Shows the scene until the window is closed, on the rung of `options` or one below it. Where no
-// window is to be had, throws MachineError if one was demanded, else says why.
-Shown show(const std::string &stage, const Options &options, const Scene &scene,
-           const RenderSettings &settings, Startup &startup);
+// Shows the scene until the window is closed, on the first display path of the options that works.
+// Throws PresenterLost where none does, and where no window is to be had, unless --window demands
+// one: then MachineError.
+RunResult show(Run &run);
 
 }  // namespace stagelight

@@ -8,22 +8,17 @@
 
 #include <fmt/format.h>
 
-#include "app/options.h"
+#include "app/draw.h"
 #include "app/run_main.h"
 #include "app/show.h"
-#include "app/startup.h"
 #include "app/stats.h"
 #include "budget/budget.h"
-#include "device/device_choice.h"
-#include "device/kernel_cache.h"
-#include "device/renderer.h"
 #include "image/image_io.h"
 #include "image/whole_file.h"
 #include "pov/pov_export.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
-#include "scene/radiance_bound.h"
 #include "scene/required_features.h"
 #include "scene/scene_file.h"
 #include "scene/stages.h"
@@ -31,24 +26,57 @@
 namespace stagelight {
 namespace {
 
-void require_outputs(const std::filesystem::path &out, const Options &options) {
+// Of a picture that the user gave no name. Whether it was missing.
+bool make_folder(const std::filesystem::path &out) {
     const std::filesystem::path folder = out.parent_path();
-    if (std::error_code error;
-        !options.out && !exists(folder) && !create_directories(folder, error) && error) {
+    std::error_code error;
+    const bool is_new = !exists(folder) && create_directories(folder, error);
+    if (error) {
         throw UserError(fmt::format("{}: the folder {} can't be made: {}; --out names another",
                                     out.string(), folder.string(), error.message()));
     }
-    require_writable(out);
+    return is_new;
+}
+
+// All that the run may write. A window that nobody demanded may give way to a picture file.
+void require_outputs(const Run &run) {
+    const Options &options = run.options;
+    if (options.export_pov) {
+        require_writable_place(*options.export_pov);
+        return;
+    }
+    if (options.out) {
+        require_writable(*options.out);
+    } else if (!options.window) {
+        const std::filesystem::path out = default_out(run.stage);
+        const bool is_new = make_folder(out);
+        require_writable(out);
+        if (is_new) {
+            remove(out.parent_path());  // a run that fails leaves nothing
+        }
+    }
     if (options.stats) {
         require_writable_place(*options.stats);
     }
 }
 
-RenderSettings settings_of(const Options &options, const Scene &scene, int stage) {
+Scene scene_of(const Run &run) {
+    Scene scene = load_scene(run.options.scene);
+    require_supported(scene, stage_number(run.stage));
+    for (const std::vector<std::string> &lines : {scene.warnings, open_dielectric_meshes(scene)}) {
+        for (const std::string &line : lines) {
+            warn(line);
+        }
+    }
+    return scene;
+}
+
+RenderSettings settings_of(const Run &run) {
+    const Options &options = run.options;
     RenderSettings settings;
-    settings.width = options.size ? options.size->first : scene.width;
-    settings.height = options.size ? options.size->second : scene.height;
-    settings.max_depth = options.depth.value_or(depth_of(scene, stage));
+    settings.width = options.size ? options.size->first : run.scene.width;
+    settings.height = options.size ? options.size->second : run.scene.height;
+    settings.max_depth = options.depth.value_or(depth_of(run.scene, stage_number(run.stage)));
     settings.samples = options.samples;
     settings.methods = options.methods;
     settings.kernels = options.kernels;
@@ -56,139 +84,113 @@ RenderSettings settings_of(const Options &options, const Scene &scene, int stage
     return settings;
 }
 
-void draw(const std::string &stage, const Options &options, const Scene &scene,
-          const RenderSettings &settings, const std::vector<cl::Device> &devices,
-          const std::string &reason, Startup &startup) {
-    const std::filesystem::path out = options.out.value_or(default_out(stage));
-    require_outputs(out, options);
-
-    std::optional<DriverWatch> watch(std::in_place, options.kernels);
-    std::optional<Renderer> built;
-    const cl::Device device = first_that_builds(devices, [&](const cl::Device &candidate) {
-        warn_of_width(candidate, settings.methods);
-        built.emplace(candidate, stage, scene, settings);
-    });
-    Renderer &renderer = *built;
-    startup.built(renderer.stage_kernel());
-    RunFigures figures;
-    figures.display.reason = reason;
-    Frame frame;
-    const int frames = options.frames.value_or(1);
-    std::optional<Progress> progress;
-    if (frames > 1) {  // of one, its samples are told
-        progress.emplace("rendering frames", frames);
-    }
-    for (int i = 0; i < frames; ++i) {
-        frame = renderer.render();
-        if (i == 0) {
-            watch.reset();
-            startup.done("first_frame");
-        }
-        figures.frames.push_back(frame.milliseconds);
-        if (progress) {
-            progress->step();
-        }
-    }
-    progress.reset();
-    figures.rays = frame.rays;
-    figures.radiance_bound = radiance_bound(scene);
-    figures.bytes_on_device = renderer.bytes();
-
-    startup.skip();  // the frames after the first
-    write_image(frame.image, out, encode_of(stage_number(stage), options.methods), options.split);
-    startup.done("write");
-    figures.startup = startup;
-    report(stage, device, renderer.stage_kernel(), settings, figures, options);
-    fmt::print("wrote {}\n", out.string());
-}
-
-int export_scene(const std::string &stage, const Scene &scene, const RenderSettings &settings,
-                 const std::filesystem::path &file) {
-    const int number = stage_number(stage);
-    if (choice(settings.methods, "interior") == "paper") {
+void export_scene(const Run &run) {
+    const int number = stage_number(run.stage);
+    const std::filesystem::path &file = *run.options.export_pov;
+    if (choice(run.settings.methods, "interior") == "paper") {
         throw UserError("--export-pov: POV-Ray has no --method interior=paper");
     }
-    export_pov(scene,
-               {.width = settings.width,
-                .height = settings.height,
-                .max_depth = settings.max_depth,
-                .decode = decode_of(number, settings.methods),
+    export_pov(run.scene,
+               {.width = run.settings.width,
+                .height = run.settings.height,
+                .max_depth = run.settings.max_depth,
+                .decode = decode_of(number, run.settings.methods),
                 .shows_normals = number == 1},
                file);
     fmt::print("wrote {}\n", file.string());
-    return exit_done;
 }
 
-// Chooses methods and depth for --max-error, and says which. Of `devices`, the one that they were
+std::vector<cl::Device> devices_of(const Run &run) {
+    return devices_to_try(run.options.device, !run.scene.textures.empty());
+}
+
+// Chooses methods and depth for --max-error, and says which. Of the devices, the one that they were
 // measured on is left. Whether it is met.
-bool choose_by_error(const std::string &stage, const Options &options, const Scene &scene,
-                     RenderSettings &settings, std::vector<cl::Device> &devices) {
+bool choose_by_error(Run &run) {
+    const double max_error = *run.options.max_error;
+    RenderSettings &settings = run.settings;
     Budget budget;
-    devices = {first_that_builds(devices, [&](const cl::Device &device) {
-        budget = meet_budget(device, stage, scene, settings,
-                             probe_methods(device, stage, scene, settings), *options.max_error);
+    run.devices = {first_that_builds(devices_of(run), [&](const cl::Device &device) {
+        budget = meet_budget(device, run.stage, run.scene, settings,
+                             probe_methods(device, run.stage, run.scene, settings), max_error);
     })};
-    fmt::print("for --max-error {}: {}\npredicted error {:.2g}, measured {:.2g}\n",
-               *options.max_error, to_string(budget.plan, settings.max_depth), budget.plan.error,
-               budget.error);
+    fmt::print("for --max-error {}: {}\npredicted error {:.2g}, measured {:.2g}\n", max_error,
+               to_string(budget.plan, settings.max_depth), budget.plan.error, budget.error);
     if (!budget.is_met) {
         fmt::print(stderr, "error: no methods meet --max-error {}; {:.2g} is the best reached\n",
-                   *options.max_error, budget.error);
+                   max_error, budget.error);
     }
     settings.methods = budget.plan.methods;
     settings.max_depth = budget.plan.max_depth;
+    run.startup.skip();
     return budget.is_met;
 }
 
-int run(const std::string &stage, const Options &options, Startup &startup) {
-    startup.done("start");
+// In a window, or where there is none, for a file.
+RunResult pictures(Run &run) {
+    std::string reason = "no window was asked for";
+    if (!run.options.display.empty()) {
+        try {
+            return show(run);
+        } catch (const PresenterLost &lost) {
+            reason = lost.what();
+        }
+        if (run.options.window) {
+            throw MachineError(reason + "; --display none writes a picture file");
+        }
+        fmt::print("display: none: {}\n", reason);
+        run.startup.done("window");
+    }
+    if (run.devices.empty()) {
+        run.devices = devices_of(run);
+    }
+    return draw(run, reason);
+}
+
+void write_picture(Run &run, const RunResult &result) {
+    if (!run.options.out) {
+        make_folder(*result.file);
+    }
+    run.startup.skip();  // the frames after the first
+    write_image(result.picture, *result.file,
+                encode_of(stage_number(run.stage), result.settings.methods), run.options.split);
+    if (result.display.frames.empty()) {  // else the first picture was one in the window
+        run.startup.done("write");
+    }
+}
+
+int run_to_end(Run &run) {
+    require_outputs(run);
+    run.startup.done("start");
     // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
     // and a child that is forked beside a loading library would find the loader locked for ever.
-    const Scene scene = load_scene(options.scene);
-    require_supported(scene, stage_number(stage));
-    for (const std::vector<std::string> &lines : {scene.warnings, open_dielectric_meshes(scene)}) {
-        for (const std::string &line : lines) {
-            warn(line);
-        }
+    run.scene = scene_of(run);
+    run.settings = settings_of(run);
+    if (run.options.export_pov) {
+        export_scene(run);
+        return exit_done;
     }
-    RenderSettings settings = settings_of(options, scene, stage_number(stage));
-    if (options.export_pov) {
-        return export_scene(stage, scene, settings, *options.export_pov);
+    run.startup.done("scene");
+    const bool is_met = !run.options.max_error || choose_by_error(run);
+    const RunResult result = pictures(run);
+    if (result.file) {
+        write_picture(run, result);
     }
-    startup.done("scene");
-    const bool needs_images = !scene.textures.empty();
-    int code = exit_done;
-    std::vector<cl::Device> devices;
-    if (options.max_error) {
-        require_outputs(options.out.value_or(default_out(stage)), options);  // before the wait
-        devices = devices_to_try(options.device, needs_images);
-        code = choose_by_error(stage, options, scene, settings, devices) ? exit_done
-                                                                         : exit_check_failed;
-        startup.skip();
+    if (!result.frames.empty()) {
+        report(run, result);
     }
-    std::string reason = "no window was asked for";
-    if (options.display != Display::none) {
-        const Shown shown = show(stage, options, scene, settings, startup);
-        if (shown.done) {
-            return code;
-        }
-        reason = shown.reason;
-        fmt::print("display: none: {}\n", reason);
-        startup.done("window");
+    if (result.file) {
+        fmt::print("wrote {}\n", result.file->string());
     }
-    if (devices.empty()) {
-        devices = devices_to_try(options.device, needs_images);
-    }
-    draw(stage, options, scene, settings, devices, reason, startup);
-    return code;
+    return is_met ? exit_done : exit_check_failed;
 }
 
 }  // namespace
 
 int run_stage(const std::string &stage, int argc, const char *const *argv) {
     return run_main([&]() -> int {
-        Startup startup;
-        const std::optional<Options> options = parse_options(stage, argc, argv);
+        Run run{.stage = stage};
+        std::optional<Options> options = parse_options(stage, argc, argv);
         if (!options) {
             return exit_done;
         }
@@ -196,7 +198,8 @@ int run_stage(const std::string &stage, int argc, const char *const *argv) {
             fmt::print("{}", list_devices());
             return exit_done;
         }
-        return run(stage, *options, startup);
+        run.options = *std::move(options);
+        return run_to_end(run);
     });
 }
 

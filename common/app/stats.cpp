@@ -9,6 +9,7 @@
 
 #include "device/disabled_features.h"
 #include "image/whole_file.h"
+#include "scene/radiance_bound.h"
 #include "scene/stages.h"
 
 namespace stagelight {
@@ -33,15 +34,15 @@ ordered_json disabled_features_json(const SceneNeeds &needs, int stage) {
 }
 
 // No pixel is off by more because of the rays that were cut off.
-double cutoff_error(const RunFigures &figures) {
-    return figures.rays.cut_off > 0 ? figures.rays.cut_off_weight * figures.radiance_bound : 0;
+double cutoff_error(const RayTotals &rays, const Scene &scene) {
+    return rays.cut_off > 0 ? rays.cut_off_weight * radiance_bound(scene) : 0;
 }
 
-ordered_json cut_off_json(const RunFigures &figures) {
-    return {{"count", figures.rays.cut_off},
-            {"largest_sum_of_weights", figures.rays.cut_off_weight},
-            {"radiance_bound", figures.radiance_bound},
-            {"error_at_most", cutoff_error(figures)}};
+ordered_json cut_off_json(const RayTotals &rays, const Scene &scene) {
+    return {{"count", rays.cut_off},
+            {"largest_sum_of_weights", rays.cut_off_weight},
+            {"radiance_bound", radiance_bound(scene)},
+            {"error_at_most", cutoff_error(rays, scene)}};
 }
 
 ordered_json methods_json(int stage, const Methods &chosen) {
@@ -88,7 +89,7 @@ ordered_json timeline_json(const std::vector<FrameTimes> &frames) {
 }
 
 ordered_json display_json(const DisplayFigures &display) {
-    ordered_json json = {{"rung", display.rung}, {"reason", display.reason}};
+    ordered_json json = {{"path", display.path}, {"reason", display.reason}};
     if (!display.frames.empty()) {
         json["api"] = display.api;
         json["color_bits"] = display.color_bits;
@@ -103,21 +104,48 @@ ordered_json display_json(const DisplayFigures &display) {
     return json;
 }
 
-void report_details(const std::string &stage, const StageKernel &kernel,
-                    const RenderSettings &settings, const RunFigures &figures) {
-    fmt::print("kernel built in {:.0f} ms; from start to picture: {}\n",
-               kernel.milliseconds().kernel, to_string(figures.startup));
-    if (figures.rays.dropped > 0) {
-        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", figures.rays.dropped,
-                   settings.max_depth);
+// Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
+// dropped rays, bytes on the device, what the scene needed and what was disabled, and how the
+// frames came to the window.
+std::string stats_json(const Run &run, const RunResult &result) {
+    const int stage = stage_number(run.stage);
+    const RenderSettings &settings = result.settings;
+    const ordered_json json = {
+        {"stage", run.stage},
+        {"device", device_json(result.device)},
+        {"build", {{"options", result.build_options}, {"milliseconds", result.build_milliseconds}}},
+        {"startup", startup_json(run.startup)},
+        {"size", {settings.width, settings.height}},
+        {"samples", settings.samples},
+        {"max_depth", settings.max_depth},
+        {"methods", methods_json(stage, settings.methods)},
+        {"frames", {{"milliseconds", result.frames}, {"median", median(result.frames)}}},
+        {"rays", rays_json(result.rays)},
+        {"dropped_rays", result.rays.dropped},
+        {"cut_off_rays", cut_off_json(result.rays, run.scene)},
+        {"bytes_on_device", bytes_json(result.bytes_on_device)},
+        {"needs", needs_json(result.needs)},
+        {"disabled_features", disabled_features_json(result.needs, stage)},
+        {"display", display_json(result.display)},
+    };
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+void report_details(const Run &run, const RunResult &result) {
+    fmt::print("kernel built in {:.0f} ms; from start to picture: {}\n", result.build_milliseconds,
+               to_string(run.startup));
+    if (result.rays.dropped > 0) {
+        fmt::print("{} rays dropped: deeper than {} bounces (--depth)\n", result.rays.dropped,
+                   result.settings.max_depth);
     }
-    if (figures.rays.cut_off > 0) {
+    if (result.rays.cut_off > 0) {
         fmt::print("{} rays not traced, each below 1/{} of a pixel: no pixel is off by more than "
                    "{:.2g}\n",
-                   figures.rays.cut_off, cutoff_of(settings.methods), cutoff_error(figures));
+                   result.rays.cut_off, cutoff_of(result.settings.methods),
+                   cutoff_error(result.rays, run.scene));
     }
     std::string disabled;
-    for (const auto &[what, why] : disabled_features(kernel.needs(), stage_number(stage))) {
+    for (const auto &[what, why] : disabled_features(result.needs, stage_number(run.stage))) {
         disabled +=
             (disabled.empty() ? "not in the kernel, as this scene needs none: " : ", ") + what;
     }
@@ -174,45 +202,21 @@ double median(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-std::string stats_json(const std::string &stage, const cl::Device &device,
-                       const StageKernel &kernel, const RenderSettings &settings,
-                       const RunFigures &figures) {
-    const ordered_json json = {
-        {"stage", stage},
-        {"device", device_json(device)},
-        {"build", {{"options", kernel.options()}, {"milliseconds", kernel.milliseconds().kernel}}},
-        {"startup", startup_json(figures.startup)},
-        {"size", {settings.width, settings.height}},
-        {"samples", settings.samples},
-        {"max_depth", settings.max_depth},
-        {"methods", methods_json(stage_number(stage), settings.methods)},
-        {"frames", {{"milliseconds", figures.frames}, {"median", median(figures.frames)}}},
-        {"rays", rays_json(figures.rays)},
-        {"dropped_rays", figures.rays.dropped},
-        {"cut_off_rays", cut_off_json(figures)},
-        {"bytes_on_device", bytes_json(figures.bytes_on_device)},
-        {"needs", needs_json(kernel.needs())},
-        {"disabled_features", disabled_features_json(kernel.needs(), stage_number(stage))},
-        {"display", display_json(figures.display)},
-    };
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
-}
-
-void report(const std::string &stage, const cl::Device &device, const StageKernel &kernel,
-            const RenderSettings &settings, const RunFigures &figures, const Options &options) {
-    if (options.stats) {
-        const std::string json = stats_json(stage, device, kernel, settings, figures);
-        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *options.stats);
+void report(const Run &run, const RunResult &result) {
+    if (run.options.stats) {
+        const std::string json = stats_json(run, result);
+        write_whole(std::vector<unsigned char>(json.begin(), json.end()), *run.options.stats);
     }
-    const double milliseconds = median(figures.frames);
-    fmt::print("{}\n", device.getInfo<CL_DEVICE_NAME>());
+    const double milliseconds = median(result.frames);
+    const RenderSettings &settings = result.settings;
+    fmt::print("{}\n", result.device.getInfo<CL_DEVICE_NAME>());
     fmt::print(
         "{}x{}, {} sample{} a pixel: {:.1f} ms, {:.2f} million rays, {:.1f} million a second\n",
         settings.width, settings.height, settings.samples, settings.samples == 1 ? "" : "s",
-        milliseconds, static_cast<double>(figures.rays.traced()) / 1e6,
-        figures.rays.rate(milliseconds));
-    if (options.verbose) {
-        report_details(stage, kernel, settings, figures);
+        milliseconds, static_cast<double>(result.rays.traced()) / 1e6,
+        result.rays.rate(milliseconds));
+    if (run.options.verbose) {
+        report_details(run, result);
     }
 }
 

@@ -25,6 +25,7 @@ public:
     Frame render();
 
     const cl::Device &device() const { return device_; }
+    const RenderSettings &settings() const { return settings_; }
     const StageKernel &stage_kernel() const { return kernel_; }
     // What lies on the device: the kernel's arguments and the picture.
     std::map<std::string, std::size_t> bytes() const;

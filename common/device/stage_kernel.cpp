@@ -7,7 +7,7 @@
 
 #include "device/device_choice.h"
 #include "device/device_types.h"
-#include "device/kernel_cache.h"
+#include "device/driver_watch.h"
 #include "device/kernel_source.h"
 #include "device/memory_need.h"
 #include "image/split.h"

@@ -12,8 +12,9 @@ FloatTexture::FloatTexture(TextureFormat format, int width, int height)
     GLint largest = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     if (width > largest || height > largest) {
-        throw RungLost(fmt::format("{}x{} pixels, and OpenGL's textures have at most {} each way",
-                                   width, height, largest));
+        throw PresenterLost(
+            fmt::format("{}x{} pixels, and OpenGL's textures have at most {} each way", width,
+                        height, largest));
     }
     glGenTextures(1, &id_);
     glBindTexture(GL_TEXTURE_2D, id_);

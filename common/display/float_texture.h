@@ -10,8 +10,8 @@
 
 namespace stagelight {
 
-// Why a rung of the display ladder does not hold: the viewer says so, and goes to the next.
-class RungLost : public std::runtime_error {
+// Why a display path does not work: the pipeline says so, and tries the next.
+class PresenterLost : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
@@ -21,7 +21,8 @@ enum class TextureFormat { rgba16f, rgba32f };
 
 class FloatTexture {
 public:
-    // Pixels. Needs a current context, as all here. Throws RungLost for a size that is too large.
+    // Pixels. Needs a current context, as all here. Throws PresenterLost for a size that is too
+    // large.
     FloatTexture(TextureFormat format, int width, int height);
     ~FloatTexture();
     FloatTexture(FloatTexture &&other) noexcept;

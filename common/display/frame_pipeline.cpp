@@ -4,53 +4,53 @@
 #include <fmt/format.h>
 
 #include "device/device_types.h"
-#include "display/copy_rung.h"
-#include "display/shared_rung.h"
+#include "display/copy_presenter.h"
+#include "display/shared_presenter.h"
 #include "scene/progress.h"
 
 namespace stagelight {
 namespace {
 
-const char *reason_for(RungName name) {
-    return name == RungName::shared ? "OpenCL renders into the window's texture"
-                                    : "the picture is copied into the window's texture";
+const char *reason_for(DisplayPath path) {
+    return path == DisplayPath::shared ? "OpenCL renders into the window's texture"
+                                       : "the picture is copied into the window's texture";
 }
 
 }  // namespace
 
-const char *to_string(RungName name) {
-    return name == RungName::shared ? "shared" : "copy";
+const char *to_string(DisplayPath path) {
+    return path == DisplayPath::shared ? "shared" : "copy";
 }
 
 FramePipeline::FramePipeline(const cl::Device &device, ContextApi api, const std::string &stage,
                              const Scene &scene, const RenderSettings &settings,
-                             const std::deque<RungName> &ladder, TextureFormat format)
+                             const std::deque<DisplayPath> &chain, TextureFormat format)
     : device_(device), api_(api), stage_(stage), scene_(scene), settings_(settings),
-      ladder_(ladder), format_(format) {
+      fallbacks_(chain), format_(format) {
     take_next();
 }
 
-std::unique_ptr<Rung> FramePipeline::make_rung(RungName name) const {
-    if (name == RungName::shared) {
-        return std::make_unique<SharedRung>(device_, api_, format_);
+std::unique_ptr<Presenter> FramePipeline::make_presenter(DisplayPath path) const {
+    if (path == DisplayPath::shared) {
+        return std::make_unique<SharedPresenter>(device_, api_, format_);
     }
-    return std::make_unique<CopyRung>(device_, format_);
+    return std::make_unique<CopyPresenter>(device_, format_);
 }
 
 StageKernel FramePipeline::build(const RenderSettings &settings) const {
-    return {rung_->context(), device_, stage_, scene_, settings, rung_->picture()};
+    return {presenter_->context(), device_, stage_, scene_, settings, presenter_->picture()};
 }
 
-void FramePipeline::take(RungName name) {
+void FramePipeline::take(DisplayPath path) {
     kernel_.reset();
-    rung_.reset();
+    presenter_.reset();
     in_flight_ = 0;
     started_ = 0;
-    name_ = name;
-    rung_ = make_rung(name);
-    rung_->resize(settings_.width, settings_.height);
+    path_ = path;
+    presenter_ = make_presenter(path);
+    presenter_->resize(settings_.width, settings_.height);
     kernel_ = build(settings_);
-    report(fmt::format("{}: {}", to_string(name), reason_for(name)));
+    report(fmt::format("{}: {}", to_string(path), reason_for(path)));
 }
 
 void FramePipeline::report(const std::string &line) {
@@ -59,26 +59,26 @@ void FramePipeline::report(const std::string &line) {
 }
 
 void FramePipeline::take_next() {
-    if (ladder_.empty()) {
-        throw RungLost(reason_);
+    if (fallbacks_.empty()) {
+        throw PresenterLost(reason_);
     }
-    const RungName name = ladder_.front();
-    ladder_.pop_front();
-    attempt([&] { take(name); });
+    const DisplayPath path = fallbacks_.front();
+    fallbacks_.pop_front();
+    attempt([&] { take(path); });
 }
 
-// False where the rung failed, and the next one was taken.
+// False where the presenter failed, and the next one was taken.
 bool FramePipeline::attempt(const std::function<void()> &action) {
     std::string reason;
     try {
         action();
         return true;
-    } catch (const RungLost &lost) {
+    } catch (const PresenterLost &lost) {
         reason = lost.what();
     } catch (const cl::Error &error) {
         reason = fmt::format("{} failed with error {}", error.what(), error.err());
     }
-    report(fmt::format("no {}: {}", to_string(name_), reason));
+    report(fmt::format("no {}: {}", to_string(path_), reason));
     take_next();
     return false;
 }
@@ -87,7 +87,7 @@ void FramePipeline::resize(int width, int height) {
     settings_.width = width;
     settings_.height = height;
     started_ = 0;
-    attempt([&] { rung_->resize(width, height); });
+    attempt([&] { presenter_->resize(width, height); });
 }
 
 void FramePipeline::rebuild(const std::optional<std::filesystem::path> &kernels) {
@@ -105,7 +105,8 @@ void FramePipeline::start(const CameraDescription &camera) {
     camera_ = camera;
     device::DoubleCamera view = to_device(camera, settings_.width, settings_.height);
     view.media = kernel_->media().at(scene_, camera.position);
-    while (!attempt([&] { rung_->start(*kernel_, view, started_); })) {  // the next begins anew
+    while (
+        !attempt([&] { presenter_->start(*kernel_, view, started_); })) {  // the next begins anew
     }
     ++started_;
     ++in_flight_;
@@ -113,7 +114,7 @@ void FramePipeline::start(const CameraDescription &camera) {
 
 std::optional<FinishedFrame> FramePipeline::finish() {
     std::optional<FinishedFrame> frame;
-    if (attempt([&] { frame = rung_->finish(); })) {
+    if (attempt([&] { frame = presenter_->finish(); })) {
         --in_flight_;
     }
     return frame;
@@ -121,7 +122,7 @@ std::optional<FinishedFrame> FramePipeline::finish() {
 
 std::map<std::string, std::size_t> FramePipeline::bytes() const {
     std::map<std::string, std::size_t> bytes = kernel_->bytes();
-    bytes["image"] = rung_->bytes();
+    bytes["image"] = presenter_->bytes();
     return bytes;
 }
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "device/device_choice.h"
-#include "display/rung.h"
+#include "display/presenter.h"
 
 namespace stagelight {
 namespace {
@@ -44,7 +44,7 @@ std::vector<cl::Device> ask(clGetGLContextInfoKHR_fn get_info, const Properties 
     const cl_int error =
         get_info(properties.data(), what, ids.size() * sizeof(cl_device_id), ids.data(), &size);
     if (error != CL_SUCCESS) {
-        throw RungLost(fmt::format("clGetGLContextInfoKHR failed with error {}", error));
+        throw PresenterLost(fmt::format("clGetGLContextInfoKHR failed with error {}", error));
     }
     ids.resize(size / sizeof(cl_device_id));
     std::vector<cl::Device> devices;
@@ -59,7 +59,7 @@ clGetGLContextInfoKHR_fn info_function(const cl::Platform &platform) {
     const auto get_info = reinterpret_cast<clGetGLContextInfoKHR_fn>(
         clGetExtensionFunctionAddressForPlatform(platform(), "clGetGLContextInfoKHR"));
     if (get_info == nullptr) {
-        throw RungLost(
+        throw PresenterLost(
             fmt::format("{} has no clGetGLContextInfoKHR", platform.getInfo<CL_PLATFORM_NAME>()));
     }
     return get_info;
@@ -69,7 +69,7 @@ void require_same_device(const cl::Device &device, const Properties &properties)
     const std::vector<cl::Device> sharing =
         ask(info_function(platform_of(device)), properties, CL_DEVICES_FOR_GL_CONTEXT_KHR);
     if (std::ranges::none_of(sharing, [&](const cl::Device &d) { return d() == device(); })) {
-        throw RungLost(fmt::format(
+        throw PresenterLost(fmt::format(
             "{} does not drive this display{}", device.getInfo<CL_DEVICE_NAME>(),
             sharing.empty() ? "" : ", " + sharing.front().getInfo<CL_DEVICE_NAME>() + " does"));
     }
@@ -89,7 +89,7 @@ std::optional<cl::Device> device_of_gl_context(ContextApi api) {
                     return current.front();
                 }
             }
-        } catch (const RungLost &) {
+        } catch (const PresenterLost &) {
             continue;  // not this platform's context
         }
     }
@@ -108,14 +108,14 @@ std::vector<cl::Device> devices_to_share(const std::string &spec, ContextApi api
 
 cl::Context shared_context(const cl::Device &device, ContextApi api) {
     if (!has_extension(device, "cl_khr_gl_sharing")) {
-        throw RungLost(device.getInfo<CL_DEVICE_NAME>() + " has no cl_khr_gl_sharing");
+        throw PresenterLost(device.getInfo<CL_DEVICE_NAME>() + " has no cl_khr_gl_sharing");
     }
     Properties properties = properties_of(platform_of(device), api);
     require_same_device(device, properties);
     try {
         return {device, properties.data()};
     } catch (const cl::Error &error) {
-        throw RungLost(
+        throw PresenterLost(
             fmt::format("no shared context: {} failed with error {}", error.what(), error.err()));
     }
 }

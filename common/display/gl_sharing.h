@@ -19,7 +19,7 @@ std::vector<cl::Device> devices_to_share(const std::string &spec, ContextApi api
                                          bool needs_images = false);
 
 // A context of `device` that shares with the current OpenGL context, whose API is `api`. Throws
-// RungLost with the reason when there can be none.
+// PresenterLost with the reason when there can be none.
 cl::Context shared_context(const cl::Device &device, ContextApi api);
 
 }  // namespace stagelight

@@ -5,7 +5,7 @@
 #include <future>
 #include <vector>
 
-#include "display/rung.h"
+#include "display/presenter.h"
 
 namespace stagelight {
 

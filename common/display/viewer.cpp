@@ -113,14 +113,14 @@ void Viewer::start_frame() {
     pipeline_.start(camera_.camera());
     started_.push_back({at, pipeline_.started() == 1});
     while (started_.size() > pipeline_.in_flight()) {
-        started_.pop_front();  // lost with its rung
+        started_.pop_front();  // lost with its presenter
     }
 }
 
 void Viewer::finish_frame() {
     const double asked = now_milliseconds();
     const std::optional<FinishedFrame> frame = pipeline_.finish();
-    if (!frame) {  // lost with its rung
+    if (!frame) {  // lost with its presenter
         started_.clear();
         return;
     }
@@ -231,7 +231,7 @@ void Viewer::update_title(double milliseconds, const FinishedFrame &sample) {
     const std::string progress = samples > 1 ? fmt::format("  {}/{} samples", shown_, samples) : "";
     window_.set_title(fmt::format("{}  {:.1f} ms{}  {:.1f} million rays/s  {}  {}", stage_,
                                   milliseconds, progress, sample.rays.rate(sample.render.length()),
-                                  to_string(pipeline_.rung()),
+                                  to_string(pipeline_.path()),
                                   pipeline_.device().getInfo<CL_DEVICE_NAME>()));
 }
 

@@ -18,8 +18,6 @@
 namespace stagelight {
 
 struct ViewSettings {
-    std::deque<RungName> ladder{RungName::shared, RungName::copy};
-    TextureFormat format = TextureFormat::rgba32f;
     double scale = 1;           // the window's pixels for one of the picture's, each way
     std::optional<int> frames;  // then the window closes; else the user closes it
     Transfer encode = Transfer::none;
@@ -49,7 +47,7 @@ public:
     Viewer(Window &window, FramePipeline &pipeline, const std::string &stage, const Scene &scene,
            const ViewSettings &view);
 
-    // Until the window is closed, or its frames are done. Throws RungLost.
+    // Until the window is closed, or its frames are done. Throws PresenterLost.
     ViewFigures run();
 
 private:

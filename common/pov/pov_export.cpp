@@ -121,7 +121,6 @@ void export_pov(const Scene &scene, const PovSettings &settings,
     for (const std::size_t number : used) {
         pov::require_expressible(scene.materials[number]);
     }
-    require_writable_place(file);
 
     std::string text = head(settings, file) + camera(scene.camera, settings)
                        + fmt::format("background {{ rgb {} }}\n", vector(scene.background));

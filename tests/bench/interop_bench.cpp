@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// ./stagelight bench interop: what it costs to bring a picture to the window, on each rung of
-// the display ladder, and in the way that the paper started from (section 2).
+// ./stagelight bench interop: what it costs to bring a picture to the window, on each
+// display path, and in the way that the paper started from (section 2).
 #include <algorithm>
 #include <cmath>
 
@@ -56,10 +56,10 @@ std::vector<FrameTimes> without_first(const std::vector<FrameTimes> &frames) {
     return {frames.end() - frames_a_run, frames.end()};
 }
 
-std::vector<FrameTimes> show_on(RungName rung, const Work &work) {
+std::vector<FrameTimes> show_on(DisplayPath path, const Work &work) {
     Window window(window_of(work));
     FramePipeline pipeline(device_for(window), window.api(), work.stage, work.scene, work.settings,
-                           {rung}, TextureFormat::rgba32f);
+                           {path}, TextureFormat::rgba32f);
     ViewSettings view;
     view.frames = frames_a_run + 1;
     return without_first(Viewer(window, pipeline, work.stage, work.scene, view).run().frames);
@@ -112,7 +112,7 @@ template <typename Show> void measure(benchmark::State &state, const Show &show)
     for (auto _ : state) {
         try {
             frames = show();
-        } catch (const RungLost &lost) {
+        } catch (const PresenterLost &lost) {
             state.SetLabel(lost.what());  // the field of the next one has had two names
             state.SkipWithError(lost.what());
             return;
@@ -165,8 +165,8 @@ void register_all(const Work &work, Progress &progress) {
             ->Iterations(1)
             ->Repetitions(repetitions);
     };
-    add("shared", [](const Work &w) { return show_on(RungName::shared, w); });
-    add("copy", [](const Work &w) { return show_on(RungName::copy, w); });
+    add("shared", [](const Work &w) { return show_on(DisplayPath::shared, w); });
+    add("copy", [](const Work &w) { return show_on(DisplayPath::copy, w); });
     add("naive", [](const Work &w) { return show_naively(w); });
 }
 

@@ -61,6 +61,24 @@ TEST_F(Stage01Output, SaysWhyTheDefaultFolderCantBeMade) {
     EXPECT_EQ(files(), Files{});
 }
 
+// A picture may take minutes, and so may what is loaded for it.
+TEST_F(Stage01Output, IsCheckedBeforeAnythingIsLoaded) {
+    for (const std::vector<std::string> &output :
+         {std::vector<std::string>{"--out", "missing/a.png"},
+          {"--window", "--out", "missing/a.png"},
+          {"--stats", "missing/a.png", "--out", "b.png"},
+          {"--max-error", "0.01", "--out", "missing/a.png"},
+          {"--export-pov", "missing/a.png"}}) {
+        std::vector<std::string> arguments = output;
+        arguments.push_back("no_such_scene.toml");
+        expect_one_line(run("11_full_tracer", arguments), users_mistake,
+                        "missing/a.png: missing does not exist");
+    }
+    folder.write("out", "");
+    expect_one_line(run("07_interop", {"no_such_scene.toml"}), users_mistake,
+                    "out/07_interop.png: out is not a folder");
+}
+
 // However the name is written: the second would take the place of the first.
 TEST_F(Stage01Output, WantsAnotherFileForEach) {
     expect_refused({"--out", "a.png", "--stats", "./a.png"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// --window and --display: the ladder as a user climbs down it.
+// --window and --display: the fallback chain as a user sees it.
 #include <algorithm>
 #include <fstream>
 
@@ -42,9 +42,9 @@ TEST_F(Stage07WithoutDisplay, AWindowThatIsDemandedIsTheMachinesLack) {
     EXPECT_EQ(files(), std::vector<std::string>{});
 }
 
-TEST_F(Stage07WithoutDisplay, TheLadderEndsAtAPicture) {
-    for (const char *rung : {"auto", "shared", "copy"}) {
-        const Outcome outcome = run("01_primitives", {"--display", rung, "--size", small});
+TEST_F(Stage07WithoutDisplay, TheChainEndsAtAPicture) {
+    for (const char *path : {"auto", "shared", "copy"}) {
+        const Outcome outcome = run("01_primitives", {"--display", path, "--size", small});
         expect_done(outcome);
         expect_part(outcome.out, "display: none: no display");
         expect_part(outcome.out, "wrote out/01_primitives.png\n");
@@ -71,17 +71,17 @@ TEST_F(Stage07WithoutDisplay, OptionsThatContradictAreRefused) {
                     "--scale 64: the window would be 64000x64000 pixels, expected 16384 at most");
 }
 
-TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
+TEST_F(Stage07Window, ShowsOnEachPathWhatIsDrawnWithoutOne) {
     expect_done(show("07_interop", {"--out", "none.exr"}));
-    for (const std::string rung : {"shared", "copy"}) {
+    for (const std::string path : {"shared", "copy"}) {
         const Outcome outcome = show("07_interop",
-                                     {"--display", rung, "--frames", "60", "--out", rung + ".exr",
+                                     {"--display", path, "--frames", "60", "--out", path + ".exr",
                                       "--stats", "stats.json", "--verbose"},
                                      {layer});
         expect_done(outcome);
-        expect_part(outcome.out, "display: " + rung + ": ");
-        EXPECT_EQ(largest_difference(picture("none.exr"), picture(rung + ".exr")), 0) << rung;
-        EXPECT_EQ(stats().at("rung"), rung);
+        expect_part(outcome.out, "display: " + path + ": ");
+        EXPECT_EQ(largest_difference(picture("none.exr"), picture(path + ".exr")), 0) << path;
+        EXPECT_EQ(stats().at("path"), path);
         EXPECT_EQ(stats().at("framebuffer"), nlohmann::json({32, 20}));
         EXPECT_EQ(stats().at("timeline").size(), 8);
         expect_part(outcome.out, "from start to picture: ");
@@ -89,15 +89,15 @@ TEST_F(Stage07Window, ShowsOnEachRungWhatIsDrawnWithoutOne) {
 }
 
 // A frame is a picture with all of its samples, whether there is a window or not.
-TEST_F(Stage07Window, AddsSamplesOnEachRungAsWithoutOne) {
+TEST_F(Stage07Window, AddsSamplesOnEachPathAsWithoutOne) {
     expect_done(show("07_interop", {"--out", "none.exr", "--samples", "5"}));
-    for (const std::string rung : {"shared", "copy"}) {
+    for (const std::string path : {"shared", "copy"}) {
         expect_done(show("07_interop",
-                         {"--display", rung, "--frames", "2", "--samples", "5", "--out",
-                          rung + ".exr", "--stats", "stats.json"},
+                         {"--display", path, "--frames", "2", "--samples", "5", "--out",
+                          path + ".exr", "--stats", "stats.json"},
                          {layer}));
-        EXPECT_EQ(largest_difference(picture("none.exr"), picture(rung + ".exr")), 0) << rung;
-        EXPECT_EQ(stats().at("rung"), rung);
+        EXPECT_EQ(largest_difference(picture("none.exr"), picture(path + ".exr")), 0) << path;
+        EXPECT_EQ(stats().at("path"), path);
         EXPECT_EQ(stats().at("timeline").size(), 2);
     }
 }
@@ -118,23 +118,23 @@ TEST_F(Stage07Window, ADeviceThatCannotShareCopies) {
         show("01_primitives", {"--window", "--frames", "3", "--stats", "stats.json"});
     expect_done(outcome);
     expect_part(outcome.out, "has no cl_khr_gl_sharing\ndisplay: copy: ");
-    EXPECT_EQ(stats().at("rung"), "copy");
+    EXPECT_EQ(stats().at("path"), "copy");
     expect_part(stats().at("reason"), "no shared: ");
     EXPECT_EQ(files(), std::vector<std::string>{"stats.json"}) << "a window writes no picture";
 }
 
-// Frames are shown before it is lost. No rung below holds then, nor does a picture without a
+// Frames are shown before it is lost. No other path works then, nor does a picture without a
 // window.
 TEST_F(Stage07Window, ADeviceThatIsLostIsTheMachinesLack) {
-    for (const std::string rung : {"shared", "copy"}) {
+    for (const std::string path : {"shared", "copy"}) {
         const Outcome outcome = show(
             "07_interop",
-            {"--display", rung, "--frames", "60", "--out", "a.exr", "--stats", "stats.json"},
+            {"--display", path, "--frames", "60", "--out", "a.exr", "--stats", "stats.json"},
             {layer, "LD_PRELOAD=" STAGELIGHT_FAULTS, "STAGELIGHT_FAULT=clEnqueueNDRangeKernel",
              "STAGELIGHT_FAULT_AFTER=20", "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0"});
         EXPECT_EQ(outcome.code, machines_lack) << outcome;
-        expect_part(outcome.out, "display: " + rung + ": ");
-        expect_part(outcome.out, "display: no " + rung + ": clEnqueueNDRangeKernel failed");
+        expect_part(outcome.out, "display: " + path + ": ");
+        expect_part(outcome.out, "display: no " + path + ": clEnqueueNDRangeKernel failed");
         expect_part(outcome.out, "display: no copy: clEnqueueNDRangeKernel failed");
         expect_part(outcome.err, "try another --device");
         EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome;

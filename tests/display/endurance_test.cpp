@@ -47,7 +47,7 @@ void copy_kernels(const fs::path &to) {
     }
 }
 
-class Stage07Endurance : public testing::TestWithParam<RungName> {
+class Stage07Endurance : public testing::TestWithParam<DisplayPath> {
 protected:
     Stage07Endurance() {
         copy_kernels(folder.path() / "good");
@@ -115,8 +115,9 @@ TEST_P(Stage07Endurance, LeavesMemoryAsItWas) {
     EXPECT_LT(growth, std::size_t{16} << 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rungs, Stage07Endurance, testing::Values(RungName::shared, RungName::copy),
-                         [](const auto &rung) { return std::string(to_string(rung.param)); });
+INSTANTIATE_TEST_SUITE_P(Paths, Stage07Endurance,
+                         testing::Values(DisplayPath::shared, DisplayPath::copy),
+                         [](const auto &path) { return std::string(to_string(path.param)); });
 
 }  // namespace
 }  // namespace stagelight

@@ -82,7 +82,7 @@ protected:
     ViewFigures run(const std::function<void(Person &)> &actions,
                     const std::function<void(Person &)> &leave = leave_by_escape) {
         FramePipeline pipeline(choose_device(implementations.front()), window.api(), stage, scene,
-                               settings, {RungName::copy}, TextureFormat::rgba32f);
+                               settings, {DisplayPath::copy}, TextureFormat::rgba32f);
         Viewer viewer(window, pipeline, stage, scene, view);
         Person person(folder.path());  // before the first frame gives the window another title
         std::jthread beside([&] {

@@ -17,7 +17,7 @@ DEVICE = "pocl"  # PoCL's: one implementation shows what the checks see
 # mistake's stage. Not what the host does alone, nor what takes longest and sees no more: the goldens' reference,
 # each width, doubles, and whole programs.
 PROGRAMS = ("golden/golden", "render/render", "kernels/kernels")
-WINDOWS = {"07": ("display/rungs",)}  # of a stage whose lesson is in a window
+WINDOWS = {"07": ("display/presenters",)}  # of a stage whose lesson is in a window
 NOT_RUN = ("*DeviceMatchesReference*:*IsTheReferences*:Width.*:*pocl_4_2:*pocl_1_4:*Double.*:"
            "*Bvh.*:*Tree.*:*Limits.*:*Threads.*:*Endurance*:*EveryStage*")
 TIMEOUT = 300  # seconds; for a mistake that does not end

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "display/rung.h"
+#include "display/presenter.h"
 
 namespace stagelight {
 
-void Rung::drain() noexcept {
+void Presenter::drain() noexcept {
     // A queue that has failed has nothing in flight; who uses it next is told.
     clFinish(queue_());
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ladder's rungs: how a picture gets from OpenCL into the texture that the window shows.
+// A presenter of each display path: how a picture gets from OpenCL into the texture that the window
+// shows.
 #pragma once
 
 #include <cstddef>
@@ -24,13 +25,13 @@ struct FinishedFrame {
 };
 
 // All of it on the thread whose OpenGL context is current.
-class Rung {
+class Presenter {
 public:
-    Rung(const cl::Context &context, const cl::Device &device, TextureFormat format)
+    Presenter(const cl::Context &context, const cl::Device &device, TextureFormat format)
         : context_(context), queue_(context, device), format_(format) {}
-    virtual ~Rung() = default;
-    Rung(const Rung &) = delete;
-    Rung &operator=(const Rung &) = delete;
+    virtual ~Presenter() = default;
+    Presenter(const Presenter &) = delete;
+    Presenter &operator=(const Presenter &) = delete;
 
     // What the kernel has to be built for.
     virtual Picture picture() const = 0;

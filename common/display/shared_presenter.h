@@ -5,18 +5,18 @@
 #include <optional>
 #include <vector>
 
-#include "display/rung.h"
+#include "display/presenter.h"
 #include "display/timed_launch.h"
 #include "display/window.h"
 
 namespace stagelight {
 
-class SharedRung : public Rung {
+class SharedPresenter : public Presenter {
 public:
-    // `api` is that of the current OpenGL context. Throws RungLost.
-    SharedRung(const cl::Device &device, ContextApi api, TextureFormat format);
+    // `api` is that of the current OpenGL context. Throws PresenterLost.
+    SharedPresenter(const cl::Device &device, ContextApi api, TextureFormat format);
 
-    ~SharedRung() override { drain(); }
+    ~SharedPresenter() override { drain(); }
 
     Picture picture() const override { return Picture::image; }
     std::size_t most_in_flight() const override { return 1; }  // there is one texture

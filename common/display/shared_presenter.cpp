@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "display/shared_rung.h"
+#include "display/shared_presenter.h"
 
 #include <memory>
 
@@ -10,8 +10,8 @@
 
 namespace stagelight {
 
-SharedRung::SharedRung(const cl::Device &device, ContextApi api, TextureFormat format)
-    : Rung(shared_context(device, api), device, format) {
+SharedPresenter::SharedPresenter(const cl::Device &device, ContextApi api, TextureFormat format)
+    : Presenter(shared_context(device, api), device, format) {
     if (has_extension(device, "cl_khr_gl_event")) {
         event_of_sync_ = reinterpret_cast<EventOfSync>(clGetExtensionFunctionAddressForPlatform(
             platform_of(device)(), "clCreateEventFromGLsyncKHR"));
@@ -19,7 +19,7 @@ SharedRung::SharedRung(const cl::Device &device, ContextApi api, TextureFormat f
 }
 
 // #region share_texture
-void SharedRung::resize(int width, int height) {
+void SharedPresenter::resize(int width, int height) {
     image_.clear();
     texture_.emplace(format(), width, height);
     glFinish();  // the texture is there before OpenCL looks
@@ -27,8 +27,8 @@ void SharedRung::resize(int width, int height) {
         image_.push_back(
             cl::ImageGL(context(), CL_MEM_WRITE_ONLY, GL_TEXTURE_2D, 0, texture_->id()));
     } catch (const cl::Error &error) {
-        throw RungLost(fmt::format("the texture can't be shared: {} failed with error {}",
-                                   error.what(), error.err()));
+        throw PresenterLost(fmt::format("the texture can't be shared: {} failed with error {}",
+                                        error.what(), error.err()));
     }
 }
 // #endregion share_texture
@@ -36,7 +36,7 @@ void SharedRung::resize(int width, int height) {
 // #region texture_free
 // What OpenCL must wait for before it may write: that OpenGL is done with the last frame. With
 // cl_khr_gl_event the device waits, else this thread does.
-std::vector<cl::Event> SharedRung::texture_free() {
+std::vector<cl::Event> SharedPresenter::texture_free() {
     if (event_of_sync_ == nullptr) {
         glFinish();
         return {};
@@ -54,7 +54,7 @@ std::vector<cl::Event> SharedRung::texture_free() {
 // #endregion texture_free
 
 // #region share
-void SharedRung::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
+void SharedPresenter::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
     const std::vector<cl::Event> free = texture_free();
     queue().enqueueAcquireGLObjects(&image_, free.empty() ? nullptr : &free);
     launch_.emplace(queue(), kernel, image_.front(), camera, sample);
@@ -63,7 +63,7 @@ void SharedRung::start(StageKernel &kernel, const device::DoubleCamera &camera, 
 }
 
 // The host waits, since it wants the counts; so OpenGL need not be told to.
-FinishedFrame SharedRung::finish() {
+FinishedFrame SharedPresenter::finish() {
     released_.wait();
     return launch_->finished();
 }

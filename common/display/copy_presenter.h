@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "display/rung.h"
+#include "display/presenter.h"
 #include "display/timed_launch.h"
 
 namespace stagelight {
@@ -15,7 +15,7 @@ namespace stagelight {
 // takes it from there (ARB_buffer_storage).
 class PixelBuffer {
 public:
-    // Throws RungLost.
+    // Throws PresenterLost.
     explicit PixelBuffer(std::size_t bytes);
     ~PixelBuffer();
     PixelBuffer(const PixelBuffer &) = delete;
@@ -32,12 +32,12 @@ private:
     GLsync taken_ = nullptr;
 };
 
-class CopyRung : public Rung {
+class CopyPresenter : public Presenter {
 public:
-    // Throws RungLost where OpenGL can't keep a buffer mapped.
-    CopyRung(const cl::Device &device, TextureFormat format);
+    // Throws PresenterLost where OpenGL can't keep a buffer mapped.
+    CopyPresenter(const cl::Device &device, TextureFormat format);
 
-    ~CopyRung() override { drain(); }
+    ~CopyPresenter() override { drain(); }
 
     Picture picture() const override { return Picture::buffer; }
     std::size_t most_in_flight() const override { return frames_.size(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rungs of the display ladder, with the layer that gives every device cl_khr_gl_sharing: what
-// the window shows is, bit for bit, what is rendered without one.
+// The presenters of the display paths, with the layer that gives every device cl_khr_gl_sharing:
+// what the window shows is, bit for bit, what is rendered without one.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -50,19 +50,19 @@ class WithDisplay : public testing::Test {
     Xvfb xvfb_;
 };
 
-using Case = std::tuple<const char *, RungName, ContextApi>;
+using Case = std::tuple<const char *, DisplayPath, ContextApi>;
 
-class Stage07Rungs : public testing::TestWithParam<Case> {
+class Stage07Presenters : public testing::TestWithParam<Case> {
     Xvfb xvfb_;
 };
 
-TEST_P(Stage07Rungs, ShowWhatIsRenderedWithoutAWindow) {
-    const auto &[device, rung, api] = GetParam();
+TEST_P(Stage07Presenters, ShowWhatIsRenderedWithoutAWindow) {
+    const auto &[device, path, api] = GetParam();
     const Scene scene = scene_of("07_interop");
     Window window(window_settings(api));
     FramePipeline pipeline(choose_device(device), window.api(), "07_interop", scene,
-                           small_settings(scene), {rung}, TextureFormat::rgba32f);
-    EXPECT_EQ(pipeline.rung(), rung);
+                           small_settings(scene), {path}, TextureFormat::rgba32f);
+    EXPECT_EQ(pipeline.path(), path);
     ViewSettings view;
     view.frames = 60;
     const ViewFigures seen = Viewer(window, pipeline, "07_interop", scene, view).run();
@@ -72,8 +72,8 @@ TEST_P(Stage07Rungs, ShowWhatIsRenderedWithoutAWindow) {
 
 // A mean of seven, which no power of two divides: the same sum in the same order, and the same
 // division.
-TEST_P(Stage07Rungs, AddSamplesToWhatIsRenderedWithoutAWindow) {
-    const auto &[device, rung, api] = GetParam();
+TEST_P(Stage07Presenters, AddSamplesToWhatIsRenderedWithoutAWindow) {
+    const auto &[device, path, api] = GetParam();
     const Scene scene = scene_of("07_interop");
     RenderSettings settings = small_settings(scene);
     settings.samples = 7;
@@ -81,25 +81,25 @@ TEST_P(Stage07Rungs, AddSamplesToWhatIsRenderedWithoutAWindow) {
         Renderer(choose_device(device), "07_interop", scene, settings).render().image;
     Window window(window_settings(api));
     FramePipeline pipeline(choose_device(device), window.api(), "07_interop", scene, settings,
-                           {rung}, TextureFormat::rgba32f);
+                           {path}, TextureFormat::rgba32f);
     ViewSettings view;
     view.frames = 3;
     const ViewFigures seen = Viewer(window, pipeline, "07_interop", scene, view).run();
-    EXPECT_EQ(pipeline.rung(), rung);
+    EXPECT_EQ(pipeline.path(), path);
     EXPECT_EQ(seen.frames.size(), 3) << "a frame has all of its samples";
     EXPECT_EQ(seen.rays.primary, 7 * 61 * 37);
     expect_same(seen.picture, exact);
 }
 
 std::string name_of(const testing::TestParamInfo<Case> &instance) {
-    const auto &[device, rung, api] = instance.param;
-    return fmt::format("{}_{}_{}", name_in_tests(device), to_string(rung),
+    const auto &[device, path, api] = instance.param;
+    return fmt::format("{}_{}_{}", name_in_tests(device), to_string(path),
                        api == ContextApi::egl ? "egl" : "glx");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Stage07Rungs,
+INSTANTIATE_TEST_SUITE_P(All, Stage07Presenters,
                          testing::Combine(testing::ValuesIn(implementations),
-                                          testing::Values(RungName::shared, RungName::copy),
+                                          testing::Values(DisplayPath::shared, DisplayPath::copy),
                                           testing::Values(ContextApi::native, ContextApi::egl)),
                          name_of);
 
@@ -113,7 +113,7 @@ TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
     const Scene scene = scene_of(stage);
     Window window(window_settings());
     FramePipeline pipeline(choose_device(implementations.front()), window.api(), stage, scene,
-                           small_settings(scene), {RungName::shared}, TextureFormat::rgba32f);
+                           small_settings(scene), {DisplayPath::shared}, TextureFormat::rgba32f);
     pipeline.start(scene.camera);
     ASSERT_TRUE(pipeline.finish());
     expect_same(pipeline.texture().read(), without_window(implementations.front(), stage, scene));
@@ -126,19 +126,19 @@ INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage,
                                          "11_full_tracer"),
                          [](const auto &instance) { return std::string(instance.param); });
 
-class Stage07Ladder : public WithDisplay {
+class Stage07FallbackChain : public WithDisplay {
 protected:
     Scene scene = scene_of("01_primitives");
     Window window{window_settings()};
 
-    FramePipeline pipeline(const std::deque<RungName> &ladder,
+    FramePipeline pipeline(const std::deque<DisplayPath> &chain,
                            TextureFormat format = TextureFormat::rgba32f) const {
         return {choose_device(implementations.front()),
                 window.api(),
                 "01_primitives",
                 scene,
                 small_settings(scene),
-                ladder,
+                chain,
                 format};
     }
     Image rendered() const {
@@ -147,9 +147,9 @@ protected:
 };
 
 // A texture in half precision holds 11 bits of the picture, rounded or, as Mesa does, cut off.
-TEST_F(Stage07Ladder, HalfPrecisionIsTheUsersChoice) {
-    for (const RungName rung : {RungName::shared, RungName::copy}) {
-        FramePipeline half = pipeline({rung}, TextureFormat::rgba16f);
+TEST_F(Stage07FallbackChain, HalfPrecisionIsTheUsersChoice) {
+    for (const DisplayPath path : {DisplayPath::shared, DisplayPath::copy}) {
+        FramePipeline half = pipeline({path}, TextureFormat::rgba16f);
         half.start(scene.camera);
         half.finish();
         const Image shown = half.texture().read();
@@ -159,53 +159,53 @@ TEST_F(Stage07Ladder, HalfPrecisionIsTheUsersChoice) {
             EXPECT_NEAR(shown.pixels[i].g, exact.pixels[i].g, 0.00098F * exact.pixels[i].g);
             rounded += shown.pixels[i].g != exact.pixels[i].g;
         }
-        EXPECT_GT(rounded, 1000) << to_string(rung) << ": was that full precision?";
+        EXPECT_GT(rounded, 1000) << to_string(path) << ": was that full precision?";
     }
 }
 
-// What OpenCL can't use any more is left for the next rung, in the middle of a run.
-TEST_F(Stage07Ladder, ARungThatIsLostGivesWayToTheNext) {
-    FramePipeline both = pipeline({RungName::shared, RungName::copy});
+// What OpenCL can't use any more is left for the next path, in the middle of a run.
+TEST_F(Stage07FallbackChain, AnyThatIsLostGivesWayToTheNext) {
+    FramePipeline both = pipeline({DisplayPath::shared, DisplayPath::copy});
     both.start(scene.camera);
     ASSERT_TRUE(both.finish());
-    EXPECT_EQ(both.rung(), RungName::shared);
+    EXPECT_EQ(both.path(), DisplayPath::shared);
     const GLuint texture = both.texture().id();
     glDeleteTextures(1, &texture);
     both.start(scene.camera);
-    EXPECT_EQ(both.rung(), RungName::copy);
+    EXPECT_EQ(both.path(), DisplayPath::copy);
     EXPECT_NE(both.reason().find("no shared: "), std::string::npos) << both.reason();
     ASSERT_TRUE(both.finish());
     expect_same(both.texture().read(), rendered());
 }
 
 // OpenCL is asked to share with a context that is not the current one's.
-TEST_F(Stage07Ladder, AContextThatOpenClCannotShareWithGivesWay) {
+TEST_F(Stage07FallbackChain, AContextThatOpenClCannotShareWithGivesWay) {
     const ContextApi other = window.api() == ContextApi::egl ? ContextApi::native : ContextApi::egl;
     const FramePipeline copied(choose_device(implementations.front()), other, "01_primitives",
-                               scene, small_settings(scene), {RungName::shared, RungName::copy},
-                               TextureFormat::rgba32f);
-    EXPECT_EQ(copied.rung(), RungName::copy);
+                               scene, small_settings(scene),
+                               {DisplayPath::shared, DisplayPath::copy}, TextureFormat::rgba32f);
+    EXPECT_EQ(copied.path(), DisplayPath::copy);
     EXPECT_NE(copied.reason().find("no shared: clGetGLContextInfoKHR failed with error -1000"),
               std::string::npos)
         << copied.reason();
 }
 
-TEST_F(Stage07Ladder, TexturesThatAreTooLargeGiveWay) {
-    FramePipeline one = pipeline({RungName::copy});
-    EXPECT_THROW(one.resize(100000, 1), RungLost);
+TEST_F(Stage07FallbackChain, TexturesThatAreTooLargeGiveWay) {
+    FramePipeline one = pipeline({DisplayPath::copy});
+    EXPECT_THROW(one.resize(100000, 1), PresenterLost);
 }
 
-TEST_F(Stage07Ladder, EndsWhenNoRungIsLeft) {
-    FramePipeline one = pipeline({RungName::shared});
+TEST_F(Stage07FallbackChain, EndsWhenNoneIsLeft) {
+    FramePipeline one = pipeline({DisplayPath::shared});
     const GLuint texture = one.texture().id();
     glDeleteTextures(1, &texture);
-    EXPECT_THROW(one.start(scene.camera), RungLost);
+    EXPECT_THROW(one.start(scene.camera), PresenterLost);
 }
 
 // The picture follows the window's size.
-TEST_F(Stage07Ladder, ResizedPicturesAreThoseOfTheirSize) {
-    for (const RungName rung : {RungName::shared, RungName::copy}) {
-        FramePipeline resized = pipeline({rung});
+TEST_F(Stage07FallbackChain, ResizedPicturesAreThoseOfTheirSize) {
+    for (const DisplayPath path : {DisplayPath::shared, DisplayPath::copy}) {
+        FramePipeline resized = pipeline({path});
         for (const auto &[width, height] : {std::pair{17, 5}, {64, 64}, {1, 1}, {61, 37}}) {
             resized.resize(width, height);
             resized.start(scene.camera);
@@ -221,12 +221,12 @@ TEST_F(Stage07Ladder, ResizedPicturesAreThoseOfTheirSize) {
     }
 }
 
-// A camera that moves on, and a rung that is lost, leave nothing of the samples before.
-TEST_F(Stage07Ladder, AnotherViewBeginsWithItsFirstSample) {
+// A camera that moves on, and a path that is lost, leave nothing of the samples before.
+TEST_F(Stage07FallbackChain, AnotherViewBeginsWithItsFirstSample) {
     RenderSettings settings = small_settings(scene);
     settings.samples = 5;
     FramePipeline both(choose_device(implementations.front()), window.api(), "01_primitives", scene,
-                       settings, {RungName::shared, RungName::copy}, TextureFormat::rgba32f);
+                       settings, {DisplayPath::shared, DisplayPath::copy}, TextureFormat::rgba32f);
     CameraDescription other = scene.camera;
     other.position.y += 0.5;
     const auto add = [&both](const CameraDescription &camera, int samples) {
@@ -248,15 +248,15 @@ TEST_F(Stage07Ladder, AnotherViewBeginsWithItsFirstSample) {
     const GLuint texture = both.texture().id();
     glDeleteTextures(1, &texture);
     add(scene.camera, 1);
-    EXPECT_EQ(both.rung(), RungName::copy);
+    EXPECT_EQ(both.path(), DisplayPath::copy);
     EXPECT_EQ(both.started(), 1);
     add(scene.camera, 4);
     expect_same(both.texture().read(), exact);
 }
 
 // Two frames at once, of two cameras: each comes out as its own.
-TEST_F(Stage07Ladder, CopiesTwoFramesAtATimeInTheirOrder) {
-    FramePipeline copy = pipeline({RungName::copy});
+TEST_F(Stage07FallbackChain, CopiesTwoFramesAtATimeInTheirOrder) {
+    FramePipeline copy = pipeline({DisplayPath::copy});
     CameraDescription other = scene.camera;
     other.position.y += 0.5;
     const Image first = rendered();

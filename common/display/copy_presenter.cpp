@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "display/copy_rung.h"
+#include "display/copy_presenter.h"
 
 #include <limits>
 
@@ -18,7 +18,7 @@ PixelBuffer::PixelBuffer(std::size_t bytes) {
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     if (memory_ == nullptr) {
         glDeleteBuffers(1, &id_);
-        throw RungLost("OpenGL has no memory for a mapped pixel buffer");
+        throw PresenterLost("OpenGL has no memory for a mapped pixel buffer");
     }
 }
 
@@ -46,14 +46,14 @@ void PixelBuffer::upload(const FloatTexture &texture) {
 }
 // #endregion pixel_buffer
 
-CopyRung::CopyRung(const cl::Device &device, TextureFormat format)
-    : Rung(cl::Context(device), device, format), device_(device) {
+CopyPresenter::CopyPresenter(const cl::Device &device, TextureFormat format)
+    : Presenter(cl::Context(device), device, format), device_(device) {
     if (epoxy_gl_version() < 44 && !epoxy_has_gl_extension("GL_ARB_buffer_storage")) {
-        throw RungLost("OpenGL has no ARB_buffer_storage, which 4.4 brings");
+        throw PresenterLost("OpenGL has no ARB_buffer_storage, which 4.4 brings");
     }
 }
 
-void CopyRung::resize(int width, int height) {
+void CopyPresenter::resize(int width, int height) {
     const std::size_t bytes = picture_bytes(device_, width, height);
     texture_.emplace(format(), width, height);
     image_ = cl::Buffer(context(), CL_MEM_WRITE_ONLY, bytes);
@@ -63,7 +63,7 @@ void CopyRung::resize(int width, int height) {
 }
 
 // #region copy
-void CopyRung::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
+void CopyPresenter::start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) {
     Frame &frame = frames_.at(started_++ % frames_.size());
     void *memory = frame.pixels->memory();
     frame.launch.emplace(queue(), kernel, image_, camera, sample);
@@ -71,7 +71,7 @@ void CopyRung::start(StageKernel &kernel, const device::DoubleCamera &camera, in
     queue().flush();
 }
 
-FinishedFrame CopyRung::finish() {
+FinishedFrame CopyPresenter::finish() {
     Frame &frame = frames_.at(finished_++ % frames_.size());
     frame.copied.wait();
     frame.pixels->upload(*texture_);
