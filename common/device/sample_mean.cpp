@@ -2,9 +2,24 @@
 #include "device/sample_mean.h"
 
 #include "device/kernel_source.h"
-#include "device/stage_kernel.h"
+#include "device/program.h"
 
 namespace stagelight {
+
+// Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
+// second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
+// that each has one sample, and a single one is the pixel's centre.
+// #region sample_point
+device::double2 sample_point(int index, int count) {
+    int before = 0;  // how many indices have less when they are mirrored
+    for (int bit = 1; bit <= index; bit *= 2) {
+        if ((index & bit) != 0) {  // those with the same bits below it, and 0 here
+            before += (count - 1 - index % bit) / (2 * bit) + 1;
+        }
+    }
+    return {{(index + 0.5) / count, (before + 0.5) / count}};
+}
+// #endregion sample_point
 
 SampleMean::SampleMean(const cl::Context &context, const std::string &options,
                        const std::optional<std::filesystem::path> &kernels)

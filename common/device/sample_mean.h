@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of a picture, averaged on the device as they come.
+// Samples of a picture: where they go through a pixel, and their mean, on the device as they come.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,9 @@
 #include "scene_types.h"
 
 namespace stagelight {
+
+// The point of a pixel, in [0, 1), that the sample `index` of `count` goes through.
+device::double2 sample_point(int index, int count);
 
 class SampleMean {
 public:

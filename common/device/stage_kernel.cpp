@@ -10,6 +10,7 @@
 #include "device/driver_watch.h"
 #include "device/kernel_source.h"
 #include "device/memory_need.h"
+#include "device/program.h"
 #include "image/split.h"
 #include "scene/clock.h"
 #include "scene/errors.h"
@@ -19,21 +20,10 @@
 namespace stagelight {
 namespace {
 
-// Images are part of OpenCL C 1.2, but the header of LLVM 21 (in PoCL 7.1) declares their functions
-// only where the name of a feature of OpenCL C 3.0 is defined.
-std::string language_of(const cl::Device &device) {
-    const bool has_images = device.getInfo<CL_DEVICE_IMAGE_SUPPORT>() == CL_TRUE;
-    return std::string("-cl-std=CL1.2") + (has_images ? " -D __opencl_c_images=1" : "");
-}
-
 // To cover `pixels` by blocks, in whole groups.
 std::size_t work_items(int pixels, int block, std::size_t group) {
     const auto items = static_cast<std::size_t>((pixels + block - 1) / block);
     return (items + group - 1) / group * group;
-}
-
-bool is_double(const Methods &methods) {
-    return choice(methods, "math") == "fp64";
 }
 
 // How many rays one work-item traces side by side (kernels/packets/wide.cl).
@@ -49,13 +39,6 @@ int rays_at_a_time(const cl::Device &device, const RenderSettings &settings) {
                                   ? device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_DOUBLE>()
                                   : device.getInfo<CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT>();
     return is_gpu(device) || preferred < 4 ? 1 : preferred < 8 ? 4 : preferred < 16 ? 8 : 16;
-}
-
-// ": " and the first line of what a compiler said, which `log` has after ":\n".
-std::string first_line_of(const std::string &log) {
-    const std::size_t begin = log.find_first_not_of(":\n ");
-    return begin == std::string::npos ? ""
-                                      : ": " + log.substr(begin, log.find('\n', begin) - begin);
 }
 
 // Milliseconds of an action, which a terminal is told of where they are many.
@@ -98,51 +81,6 @@ std::pair<std::size_t, std::size_t> group_of(const cl::Device &device, const cl:
 
 }  // namespace
 
-RayTotals &RayTotals::operator+=(const RayTotals &more) {
-    primary += more.primary;
-    shadow += more.shadow;
-    reflection += more.reflection;
-    refraction += more.refraction;
-    dropped += more.dropped;
-    cut_off += more.cut_off;
-    cut_off_weight = std::max(cut_off_weight, more.cut_off_weight);
-    return *this;
-}
-
-RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixels) {
-    RayTotals totals;
-    totals.primary = pixels;
-    for (const device::RayCounts &row : rows) {
-        totals += {0,
-                   row.shadow,
-                   row.reflection,
-                   row.refraction,
-                   row.dropped,
-                   row.cut_off,
-                   static_cast<double>(row.cut_off_weight) / CUT_OFF_WEIGHT_ONE};
-    }
-    return totals;
-}
-
-std::string build_options(const cl::Device &device, const SceneNeeds &needs,
-                          const Methods &methods) {
-    std::string options = language_of(device) + " -cl-kernel-arg-info";
-    if (is_double(methods) && !has_extension(device, "cl_khr_fp64")) {
-        throw DeviceError(fmt::format("--method math=fp64: {} has no cl_khr_fp64; choose another "
-                                      "device (--list-devices), or math=strict",
-                                      device.getInfo<CL_DEVICE_NAME>()),
-                          "it has no cl_khr_fp64, which math=fp64 needs");
-    }
-    const cl_device_fp_config config = is_double(methods)
-                                           ? device.getInfo<CL_DEVICE_DOUBLE_FP_CONFIG>()
-                                           : device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>();
-    options += fmt::format(" -D HAS_FMA={}", config & CL_FP_FMA ? 1 : 0);
-    if (config & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT && !is_double(methods)) {
-        options += " -cl-fp32-correctly-rounded-divide-sqrt";
-    }
-    return options + definitions_of(needs) + options_of(methods);
-}
-
 void warn_of_width(const cl::Device &device, const Methods &methods) {
     const std::string width = choice(methods, "width");
     if (is_gpu(device) && width != "device" && width != "1") {
@@ -151,42 +89,6 @@ void warn_of_width(const cl::Device &device, const Methods &methods) {
                          width, device.getInfo<CL_DEVICE_NAME>()));
     }
 }
-
-// #region build_program
-cl::Program build_program(const cl::Context &context, const std::string &source,
-                          const std::string &options, bool from_disk) {
-    cl::Program program(context, source);
-    try {
-        program.build(options.c_str());
-    } catch (const cl::BuildError &error) {
-        std::string log;
-        for (const auto &[device, text] : error.getBuildLog()) {
-            log += text.empty() ? "" : ":\n" + text;
-        }
-        if (from_disk) {
-            throw KernelError("the kernel does not build" + log);
-        }
-        throw DeviceError("the kernel does not build; try another --device (--list-devices)" + log,
-                          "the kernel does not build" + first_line_of(log));
-    }
-    return program;
-}
-// #endregion build_program
-
-// Hammersley's points (Niederreiter 1992, chapter 3): the first coordinate counts evenly, the
-// second in the order of the indices' mirrored bits. Both are in the middle of `count` strata, so
-// that each has one sample, and a single one is the pixel's centre.
-// #region sample_point
-device::double2 sample_point(int index, int count) {
-    int before = 0;  // how many indices have less when they are mirrored
-    for (int bit = 1; bit <= index; bit *= 2) {
-        if ((index & bit) != 0) {  // those with the same bits below it, and 0 here
-            before += (count - 1 - index % bit) / (2 * bit) + 1;
-        }
-    }
-    return {{(index + 0.5) / count, (before + 0.5) / count}};
-}
-// #endregion sample_point
 
 StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,

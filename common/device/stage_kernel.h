@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "device/media.h"
 #include "device/methods.h"
 #include "device/opencl.h"
+#include "device/ray_totals.h"
 #include "device/sample_mean.h"
 #include "device/scene_needs.h"
 #include "scene/scene.h"
@@ -35,24 +35,6 @@ struct RenderSettings {
 // What the kernel writes to (kernels/picture.cl): a buffer of float4, or an image.
 enum class Picture { buffer, image };
 
-// Summed over all samples of a picture.
-struct RayTotals {
-    std::uint64_t primary = 0;
-    std::uint64_t shadow = 0;
-    std::uint64_t reflection = 0;
-    std::uint64_t refraction = 0;
-    std::uint64_t dropped = 0;  // cut off by the depth limit
-    std::uint64_t cut_off = 0;  // too weak to be traced
-    double cut_off_weight = 0;  // the largest sum of their weights in one sample of a pixel
-
-    RayTotals &operator+=(const RayTotals &more);
-    std::uint64_t traced() const { return primary + shadow + reflection + refraction; }
-    // Million rays a second, of a picture that took so long.
-    double rate(double milliseconds) const {
-        return static_cast<double>(traced()) / milliseconds / 1000;
-    }
-};
-
 // What making a StageKernel has taken, milliseconds.
 struct BuildTimes {
     double tree = 0;    // of boxes over the triangles
@@ -60,21 +42,8 @@ struct BuildTimes {
     double upload = 0;  // scene and textures, converted and copied
 };
 
-// -cl-std and the names that kernels/ are built with for a scene, its methods and what the device
-// has. Throws DeviceError for a method that the device lacks.
-std::string build_options(const cl::Device &device, const SceneNeeds &needs,
-                          const Methods &methods);
-
 // Warns where the chosen width is one that a device of this kind is slow with.
 void warn_of_width(const cl::Device &device, const Methods &methods);
-
-// Builds `source`. Where it does not build, throws the log: as a KernelError if it was read
-// `from_disk` (the user's own work), else as a DeviceError.
-cl::Program build_program(const cl::Context &context, const std::string &source,
-                          const std::string &options, bool from_disk = false);
-
-// The point of a pixel, in [0, 1), that the sample `index` of `count` goes through.
-device::double2 sample_point(int index, int count);
 
 class StageKernel {
 public:
@@ -127,8 +96,5 @@ private:
     std::optional<SampleMean> mean_;  // of more than one sample
     BuildTimes milliseconds_;
 };
-
-// The rows' sum, and a primary ray for each of `pixels`.
-RayTotals totals_of(const std::vector<device::RayCounts> &rows, std::size_t pixels);
 
 }  // namespace stagelight

@@ -22,6 +22,16 @@ report = json.loads((folder / "chart.json").read_text())
 assert report["device"]["name"]
 # What relaxed flags do to a picture is the compiler's: LLVM 19, in PoCL 6.0, draws 04_interior wrong by 0.06.
 unpromised = set() if report["device"]["driver"].startswith("3.") else {("math", "relaxed")}
+# What the methods that are not sound give up, measured: garbage would be worse.
+KNOWN = {
+    ("04_interior", "fresnel", "schlick"): 3.7e-3, ("04_interior", "fresnel", "none"): 4.4e-2,
+    ("04_interior", "interior", "paper"): 8.3e-2, ("04_interior", "transmission", "none"): 0.117,
+    ("04_interior", "origin", "fixed"): 7.7e-3, ("04_interior", "depth", "coarse"): 4.7e-3,
+    ("04_interior", "encode", "srgb"): 1.5e-3, ("04_interior", "encode", "table"): 1.5e-3,
+    ("04_interior", "encode", "2.2"): 6.7e-3, ("08_gamma", "origin", "fixed"): 3.6e-3,
+    ("08_gamma", "decode", "2.2"): 1.2e-3, ("08_gamma", "encode", "srgb"): 9.5e-4,
+    ("08_gamma", "encode", "table"): 9.5e-4, ("08_gamma", "encode", "2.2"): 4e-3,
+}
 seen = set()
 for scene in report["scenes"]:
     rmse = {}
@@ -36,8 +46,8 @@ for scene in report["scenes"]:
     for (kind, name), error in rmse.items():
         poor = (kind, name) in {("fresnel", "none"), ("interior", "paper"), ("transmission", "none"), ("origin", "fixed"),
                                 ("decode", "2.2"), ("encode", "2.2"), ("depth", "coarse")}
-        sound = (kind, name) not in {("fresnel", "schlick"), ("encode", "srgb"), ("encode", "table")} | unpromised and not poor
-        assert not sound or error < 1e-3, (scene["name"], kind, name, error)
+        most = 1.25 * KNOWN.get((scene["name"], kind, name), 8e-4)
+        assert error < most or (kind, name) in unpromised, (scene["name"], kind, name, error, most)
         if poor and (scene["name"], kind) != ("08_gamma", "depth"):
             assert error > 1.5 * defaults[kind]["rmse"] and error > 1e-3, (scene["name"], kind, name, error)
     assert all(any(p["front"] for p in scene["points"] if p["kind"] == kind) for kind in defaults)

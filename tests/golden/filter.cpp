@@ -7,7 +7,7 @@
 
 #include "device/device_scene.h"
 #include "device/kernel_source.h"
-#include "device/stage_kernel.h"
+#include "device/program.h"
 
 namespace stagelight::golden {
 namespace {

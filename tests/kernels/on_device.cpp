@@ -2,6 +2,7 @@
 #include "kernels/on_device.h"
 
 #include "device/kernel_source.h"
+#include "device/program.h"
 
 namespace stagelight {
 

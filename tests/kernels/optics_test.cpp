@@ -152,6 +152,15 @@ TEST_P(KernelsStage04Schlick, NastyCosinesAreWhatTheClosedFormSays) {
     }
 }
 
+// At any angle: head on, aslant and grazing, from either side.
+TEST_P(KernelsStage04Schlick, WithoutFresnelNothingIsReflected) {
+    const std::vector<float> cosines{1, 0.5F, 0, 1, 0.5F, 0},
+        iors{1.5F, 1.5F, 1.5F, 1 / 1.5F, 1 / 1.5F, 1 / 1.5F};
+    EXPECT_EQ(
+        build("optics.cl", with_glass, {{"fresnel", "none"}}).run<float>("fresnels", cosines, iors),
+        std::vector<float>(6, 0));
+}
+
 using KernelsStage04Beer = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage04Beer, each_device(), device_name);
 

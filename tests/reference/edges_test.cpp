@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "reference/camera.h"
+#include "reference/patches.h"
 #include "reference/reference.h"
 #include "scenes.h"
 
@@ -153,6 +154,32 @@ TEST(ReferenceEdges, OfASmoothMeshAreItsOutlineAlone) {
     }
     const Mask flat = render<double>(scene, small).edge;
     EXPECT_GT(std::count(flat.begin(), flat.end(), 1), 800) << drawn(flat);
+}
+
+// Two triangles that share an edge: one patch while their corners agree in every number.
+TEST(ReferenceEdges, PatchesEndWhereAnyNumberOfTheirCornersJumps) {
+    const auto patches = [](auto change) {
+        Scene scene;
+        add_material(scene, diffuse({1, 1, 1}));
+        add_material(scene, diffuse({1, 1, 1}));
+        scene.materials[0].texture = 0;
+        const dvec3 up(0, 0, 1);
+        Vertex a{{0, 0, 0}, up, {0, 0}}, b{{1, 0, 0}, up, {1, 0}}, c{{0, 1, 0}, up, {0, 1}};
+        const Vertex d{{1, 1, 0}, up, {1, 1}};
+        add_triangle(scene, a, b, c);
+        change(b);
+        change(c);
+        add_triangle(scene, b, d, c);
+        const std::vector<int> of = smooth_patches(scene);
+        return of[0] == of[1] ? 1 : 2;
+    };
+    EXPECT_EQ(patches([](Vertex &) {}), 1);
+    EXPECT_EQ(patches([](Vertex &v) { v.texture_coordinates.x += 1; }), 2) << "a seam in u";
+    EXPECT_EQ(patches([](Vertex &v) { v.texture_coordinates.y += 1; }), 2) << "a seam in v";
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(patches([axis](Vertex &v) { v.position[axis] += 1; }), 2) << axis;
+        EXPECT_EQ(patches([axis](Vertex &v) { v.normal[axis] -= 0.5; }), 2) << axis;
+    }
 }
 
 RayTree facet(dvec3 point, double degrees) {

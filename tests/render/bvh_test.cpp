@@ -149,6 +149,64 @@ TEST_F(Stage09Bvh, OfManyIsNoDeeperThanItNeedsToBe) {
     EXPECT_LT(expect_whole(soup(20000, 0.02)).stack_size, 60);
 }
 
+// What a random ray through the root is expected to try, by the surface area heuristic: of each
+// child's box its area, times 1 for a node and the number of shapes for a leaf, in areas of the
+// root.
+double cost_of(const Bvh &bvh) {
+    const auto area = [](const device::BvhNode &node, std::size_t child) {
+        double size[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            size[axis] =
+                double(node.planes[axis + 3].s[child]) - double(node.planes[axis].s[child]);
+        }
+        return size[0] < 0 ? 0 : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    };
+    device::BvhNode all{};  // the root's box, as a child
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto &low = bvh.nodes[0].planes[axis].s, &high = bvh.nodes[0].planes[axis + 3].s;
+        all.planes[axis].s[0] = *std::min_element(low, low + 4);
+        all.planes[axis + 3].s[0] = *std::max_element(high, high + 4);
+    }
+    double cost = 0;
+    for (const device::BvhNode &node : bvh.nodes) {
+        for (std::size_t child = 0; child < 4; ++child) {
+            cost += area(node, child) * std::max(1, std::abs(node.count[child]));
+        }
+    }
+    return cost / area(all, 0);
+}
+
+// Speed shows in no picture: a tree that is built worse costs more than what stands here, which is
+// what was measured.
+TEST_F(Stage09Bvh, CostsNoMoreThanItDid) {
+    const auto expect_at_most = [](const char *what, const Scene &scene, double cost) {
+        EXPECT_LE(cost_of(build_bvh(scene)), 1.005 * cost) << what;
+    };
+    Scene stretched = soup(2000, 0.05);  // no axis is like another
+    for (Vertex &vertex : stretched.vertices) {
+        vertex.position *= dvec3(1, 4, 0.25);
+    }
+    Scene spheres = soup(0, 1);
+    add_spheres(spheres, 2000, 0.02);
+    spheres.spheres.pop_back();        // the large one
+    Scene unequal = soup(1000, 0.01);  // most of it in a corner, and some that is large
+    for (Vertex &vertex : unequal.vertices) {
+        vertex.position = vertex.position * 0.05 + 0.9;
+    }
+    const Scene large = soup(200, 0.4);
+    const auto first = std::uint32_t(unequal.vertices.size());
+    unequal.vertices.insert(unequal.vertices.end(), large.vertices.begin(), large.vertices.end());
+    for (Triangle triangle : large.triangles) {
+        for (std::uint32_t &vertex : triangle.vertices) {
+            vertex += first;
+        }
+        unequal.triangles.push_back(triangle);
+    }
+    expect_at_most("stretched", stretched, 10.77);
+    expect_at_most("spheres", spheres, 15.81);
+    expect_at_most("unequal", unequal, 11.83);
+}
+
 TEST_F(Stage09Bvh, DividesShapesInOnePlaceByTheirNumber) {
     Scene scene = one_pixel({0, 0, 4}, {0, 0, 0});
     for (int i = 0; i < 10000; ++i) {
@@ -217,6 +275,15 @@ protected:
     static Frame draw_with_tree(const Scene &scene, const char *triangle = "moeller_trumbore") {
         return draw(GetParam().stage, scene, triangle);
     }
+    static void expect_same_counts(const RayTotals &is, const RayTotals &expected) {
+        EXPECT_EQ(is.primary, expected.primary);
+        EXPECT_EQ(is.shadow, expected.shadow);
+        EXPECT_EQ(is.reflection, expected.reflection);
+        EXPECT_EQ(is.refraction, expected.refraction);
+        EXPECT_EQ(is.dropped, expected.dropped);
+        EXPECT_EQ(is.cut_off, expected.cut_off);
+        EXPECT_EQ(is.cut_off_weight, expected.cut_off_weight);
+    }
     // Shadow rays and lines, and rays from wherever a mirror is.
     static void expect_same(Scene scene, const Material &material) {
         scene.width = scene.height = 65;  // so that one ray goes straight ahead
@@ -231,8 +298,7 @@ protected:
             different += glm::distance(with.image.pixels[i], without.image.pixels[i]) > 1e-4F;
         }
         EXPECT_EQ(different, 0) << "of " << with.image.pixels.size() << " pixels";
-        EXPECT_EQ(with.rays.shadow, without.rays.shadow);
-        EXPECT_EQ(with.rays.reflection, without.rays.reflection);
+        expect_same_counts(with.rays, without.rays);
         EXPECT_GT(with.rays.shadow + with.rays.reflection, 100) << "what was seen?";
     }
 
@@ -333,6 +399,57 @@ TEST_P(Picture, WithALightAmongTheTrianglesToo) {
     add_point_light(scene, {0.1, 0.05, 0}, {1, 1, 1}, 1);
     add_point_light(scene, {-0.4, 0.3, 0.5}, {1, 1, 1}, 1);
     expect_same(scene, diffuse({1, 1, 1}));
+}
+
+// Glass and a mirror, few bounces deep: rays of each kind, and rays that the depth limit drops.
+Scene glass_and_mirror() {
+    Scene scene = one_pixel({0, 1, 4}, {0, 0.5, 0});
+    scene.width = 64;
+    scene.height = 40;
+    scene.max_depth = 3;
+    scene.background = {0.5, 0.6, 0.7};
+    add_plane(scene, {0, 1, 0}, {0, 0, 0}, glossy({0.6, 0.6, 0.6}, 0.25));
+    add_sphere(scene, {-0.8, 0.7, 0}, 0.7, glass({1, 0.9, 0.8}, 1.5, {0.1, 0.5, 1}));
+    add_sphere(scene, {0.7, 0.5, 0.4}, 0.5, glass({1, 1, 1}, 0.75, {}));
+    add_sphere(scene, {0.4, 0.8, -1.5}, 0.8, mirror({0.9, 0.9, 0.9}));
+    add_point_light(scene, {2, 3, 3}, {1, 1, 1}, 12);
+    add_directional_light(scene, {-0.5, -1, -0.8}, {1, 1, 1}, 0.3);
+    return scene;
+}
+
+TEST_P(Picture, CountsRaysOfEveryKind) {
+    const Scene scene = glass_and_mirror();
+    const Frame with = draw_with_tree(scene);
+    const RayTotals one_by_one = draw("04_refraction_beer", scene).rays;
+    expect_same_counts(with.rays, one_by_one);
+    EXPECT_GT(one_by_one.shadow, 1000);
+    EXPECT_GT(one_by_one.reflection, 500);
+    EXPECT_GT(one_by_one.refraction, 500);
+    EXPECT_GT(one_by_one.dropped, 100);
+}
+
+// Stage 11, which cuts rays off: by packets as with one ray at a time.
+TEST(Stage11Counts, OfPacketsAreThoseOfSingleRays) {
+    Scene scene = glass_and_mirror();
+    scene.max_depth = 12;
+    const auto draw = [&](const char *width) {
+        RenderSettings settings = settings_of(scene);
+        settings.methods = {{"width", width}};
+        return Renderer(choose_device(implementations.front()), "11_full_tracer", scene, settings)
+            .render()
+            .rays;
+    };
+    const RayTotals single = draw("1");
+    const RayTotals packets = draw("4");
+    EXPECT_EQ(packets.shadow, single.shadow);
+    EXPECT_EQ(packets.reflection, single.reflection);
+    EXPECT_EQ(packets.refraction, single.refraction);
+    EXPECT_EQ(packets.dropped, single.dropped);
+    EXPECT_EQ(packets.cut_off, single.cut_off);
+    // The weights are products, rounded one way or the other.
+    EXPECT_NEAR(packets.cut_off_weight, single.cut_off_weight, 1e-3 * single.cut_off_weight);
+    EXPECT_GT(single.cut_off, 100);
+    EXPECT_GT(single.cut_off_weight, 0);
 }
 
 TEST_P(Picture, OfAnyScaleToo) {

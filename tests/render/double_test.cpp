@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "device/program.h"
 #include "render/on_each_device.h"
 #include "scene/errors.h"
 #include "scene/scene_file.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/stage_kernel.h"
+#include "device/sample_mean.h"
 
 namespace stagelight {
 namespace {

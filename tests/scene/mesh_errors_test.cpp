@@ -139,6 +139,18 @@ TEST(MeshErrors, OnlyTrianglesWithoutArea) {
     expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "no triangles");
 }
 
+// The triangles of the mesh before it are none of its own.
+TEST(MeshErrors, ASecondMeshWithoutTriangles) {
+    const TemporaryFolder folder;
+    Scene scene =
+        imported(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 2 3 4\n"));
+    const fs::path flat = folder.write("flat.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n");
+    EXPECT_NE(message_of([&] {
+                  import_mesh(scene, flat, {}, material_of_file, mesh_entry);
+              }).find("has no triangles"),
+              std::string::npos);
+}
+
 TEST(MeshErrors, OutOfReach) {
     const TemporaryFolder folder;
     expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
