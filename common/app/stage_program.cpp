@@ -16,6 +16,7 @@
 #include "image/image_io.h"
 #include "image/whole_file.h"
 #include "pov/pov_export.h"
+#include "scene/bodies.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
@@ -63,7 +64,11 @@ void require_outputs(const Run &run) {
 Scene scene_of(const Run &run) {
     Scene scene = load_scene(run.options.scene);
     require_supported(scene, stage_number(run.stage));
-    for (const std::vector<std::string> &lines : {scene.warnings, open_dielectric_meshes(scene)}) {
+    const Bodies bodies = bodies_of(scene);
+    std::vector<std::string> eye;
+    bodies_at(scene, bodies, scene.camera.position, &eye);
+    for (const std::vector<std::string> &lines :
+         {scene.warnings, open_dielectric_meshes(scene), bodies.warnings, eye}) {
         for (const std::string &line : lines) {
             warn(line);
         }

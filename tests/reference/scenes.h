@@ -76,6 +76,8 @@ inline Texture texture_of(int width, int height, std::vector<std::uint8_t> texel
 // A triangle with corners of its own.
 inline void add_triangle(Scene &scene, const Vertex &a, const Vertex &b, const Vertex &c,
                          int material = 0) {
+    if (scene.meshes.empty())
+        scene.meshes.emplace_back();
     const auto first = std::uint32_t(scene.vertices.size());
     scene.vertices.insert(scene.vertices.end(), {a, b, c});
     scene.triangles.push_back({.vertices = {first, first + 1, first + 2}, .material = material});

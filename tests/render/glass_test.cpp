@@ -109,9 +109,9 @@ TEST_P(Stage04Beer, AnEyeInsideSeesATruncatedSeries) {
     }
 }
 
-// Through the loop over shapes, a tree, packets beside each other and the full tracer.
+// One ray at a time, and packets.
 TEST_P(Stage04Media, AreThereByPrecedence) {
-    for (const char *each : {stage, "09_tree", "11_full_tracer"}) {
+    for (const char *each : {stage, "11_full_tracer"}) {
         for (const LayeredScene &it : layered_scenes()) {
             SCOPED_TRACE(std::string(each) + ", " + it.what);
             const Frame frame = draw(each, it.scene);
