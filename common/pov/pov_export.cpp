@@ -11,7 +11,9 @@
 
 #include "image/whole_file.h"
 #include "pov/pov_materials.h"
+#include "pov/pov_media.h"
 #include "pov/pov_shapes.h"
+#include "scene/dielectrics.h"
 #include "scene/errors.h"
 
 namespace stagelight {
@@ -65,6 +67,14 @@ double reach_of(const Scene &scene) {
     return reach > 0 ? reach : 1;
 }
 
+// POV-Ray skips hits nearer than 1e-4: a ray that starts so near to the edge of a mesh leaves
+// through the next face, and one that starts on a shell may miss the other. Where that is ten
+// millionths of the scene, no pixel shows it. Larger than 1000, planes would end before the
+// horizon, at 1e7. A power of two rounds nothing.
+double enlargement(double reach) {
+    return std::exp2(std::max(0.0, std::floor(std::log2(1000 / reach))));
+}
+
 // POV-Ray's light fades as 2 / (1 + (d / f)^2), f the fade_distance: where f is next to nothing
 // that is 2 f^2 / d^2, which the colour makes up for. A parallel light shines from a plane on,
 // which is far behind everything.
@@ -94,6 +104,21 @@ std::string normal_lights(double reach) {
     return text;
 }
 
+// What a ray sees that meets nothing. In water without a ground it must meet something, or POV-Ray
+// would not let the water absorb it.
+std::string background(const Scene &scene, double reach) {
+    const bool is_endless = std::ranges::any_of(
+        scene.planes, [&](const Plane &plane) { return is_dielectric(scene, plane.material); });
+    const std::string color = vector(scene.background);
+    if (!is_endless) {
+        return fmt::format("background {{ rgb {} }}\n", color);
+    }
+    const double distance = std::min(1e3 * reach, 1e6);  // POV-Ray sees no further than 1e7
+    return fmt::format("sphere {{ {}, {} pigment {{ rgb {} }} finish {{ ambient 0 diffuse 0 "
+                       "emission 1 }} hollow no_shadow inverse }}\n",
+                       vector(scene.camera.position), distance, color);
+}
+
 // The declaration; of a material with a texture it writes the picture.
 std::string material(const Scene &scene, std::size_t number, const PovSettings &settings,
                      const std::filesystem::path &file) {
@@ -121,20 +146,24 @@ void export_pov(const Scene &scene, const PovSettings &settings,
     for (const std::size_t number : used) {
         pov::require_expressible(scene.materials[number]);
     }
+    const pov::Media media(scene);
 
-    std::string text = head(settings, file) + camera(scene.camera, settings)
-                       + fmt::format("background {{ rgb {} }}\n", vector(scene.background));
-    const double reach = reach_of(scene);
-    for (const Light &one : scene.lights) {
+    const bool needs_size =
+        !settings.shows_normals && (!scene.triangles.empty() || media.have_shells());
+    const Scene sized = needs_size ? pov::enlarged(scene, enlargement(reach_of(scene))) : scene;
+    const double reach = reach_of(sized);
+    std::string text =
+        head(settings, file) + camera(sized.camera, settings) + background(sized, reach);
+    for (const Light &one : sized.lights) {
         text += light(one, reach);
     }
     if (settings.shows_normals) {
         text += normal_lights(reach);
     }
     for (const std::size_t number : used) {
-        text += material(scene, number, settings, file);
+        text += material(sized, number, settings, file);
     }
-    text += pov::shapes(scene);
+    text += pov::shapes(sized, media);
     write_whole(std::vector<unsigned char>(text.begin(), text.end()), file);
 }
 

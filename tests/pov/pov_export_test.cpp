@@ -93,6 +93,7 @@ TEST_F(Export, SurfacesReflectTheirShare) {
 // Beer's law is a medium's; the shadow is full, and that of a copy which is not seen.
 TEST_F(Export, GlassRefractsAbsorbsAndCastsItsShadow) {
     Scene scene;
+    scene.camera.position = {0, 0, 8};
     add_sphere(scene, {0, 0, 0}, 1, glass({1, 1, 1}, 1.5, {0, 0.5, 2}));
     const std::string text = exported(scene);
     expect_part(text, "rgb <1, 1, 1> filter 1 ");
@@ -117,7 +118,8 @@ TEST_F(Export, PlaneIsAtItsDistance) {
 
 class ExportMesh : public Export {
 protected:
-    // Of two materials that share vertices.
+    // Of two materials that share vertices. A scene with meshes and a reach of 1.4 is made 512
+    // times as large.
     static Scene two_triangles() {
         Scene scene;
         scene.meshes.push_back({});
@@ -135,11 +137,13 @@ protected:
 
 TEST_F(ExportMesh, IsOneForEachMaterialWithItsOwnVertices) {
     const std::string text = exported(two_triangles());
-    expect_part(text, "#declare mesh_0_0 = mesh2 {\nvertex_vectors { 3,\n<0, 0, 0>,\n<1, 0, 0>,\n"
-                      "<0, 1, 0> }\nnormal_vectors { 3,\n<0, 0, 1>,\n<0, 0, 1>,\n<0, 0.6, 0.8> }\n"
-                      "face_indices { 1,\n<0, 1, 2> }\n}");
-    expect_part(text, "#declare mesh_0_1 = mesh2 {\nvertex_vectors { 3,\n<1, 0, 0>,\n<1, 1, 0>,\n"
-                      "<0, 1, 0> }");
+    expect_part(text,
+                "#declare mesh_0_0 = mesh2 {\nvertex_vectors { 3,\n<0, 0, 0>,\n<512, 0, 0>,\n"
+                "<0, 512, 0> }\nnormal_vectors { 3,\n<0, 0, 1>,\n<0, 0, 1>,\n<0, 0.6, 0.8> }\n"
+                "face_indices { 1,\n<0, 2, 1> }\n}");
+    expect_part(text,
+                "#declare mesh_0_1 = mesh2 {\nvertex_vectors { 3,\n<512, 0, 0>,\n<512, 512, 0>,\n"
+                "<0, 512, 0> }");
     expect_part(text, "object { mesh_0_0 texture { material_0 } hollow }");
     expect_part(text, "object { mesh_0_1 texture { material_1 } hollow }");
 }
