@@ -7,6 +7,7 @@
 
 #include "bench/povray.h"
 #include "bench/stages.h"
+#include "golden/suite.h"
 #include "pov/pov_export.h"
 #include "scene/scene_file.h"
 #include "scene/stages.h"
@@ -31,23 +32,41 @@ Scene scene_in_common(const std::filesystem::path &file) {
 
 }  // namespace
 
-std::vector<golden::GoldenScene> judged_scenes() {
-    std::vector<golden::GoldenScene> scenes = golden::all_scenes();
+std::vector<JudgedScene> judged_scenes() {
+    std::vector<JudgedScene> scenes;
+    for (const golden::GoldenScene &golden : golden::all_scenes()) {
+        scenes.push_back({.name = golden.name,
+                          .stage = golden.stage,
+                          .file = golden.scene,
+                          .width = golden::width,
+                          .height = golden::height});
+    }
+    const auto add = [&scenes](const std::filesystem::path &file, int width, int height) {
+        scenes.push_back({.name = "11_" + file.stem().string(),
+                          .stage = bench::full_tracer(),
+                          .file = file,
+                          .width = width,
+                          .height = height});
+    };
     const std::filesystem::path tests = std::filesystem::path(STAGELIGHT_SOURCE_DIR) / "tests";
-    scenes.push_back({.name = "11_glass_cube",
-                      .stage = "11_full_tracer",
-                      .scene = tests / "oclgrind" / "glass_cube.toml",
-                      .golden = {}});
+    add(tests / "oclgrind" / "glass_cube.toml", golden::width, golden::height);
+    constexpr int small_width = 160, small_height = 96;
+    for (const auto &entry : std::filesystem::directory_iterator(tests / "povray" / "scenes")) {
+        if (entry.path().extension() == ".toml") {
+            add(entry.path(), small_width, small_height);
+        }
+    }
+    std::ranges::sort(scenes, {}, &JudgedScene::name);
     return scenes;
 }
 
-Verdict judge(const golden::GoldenScene &golden, const std::filesystem::path &folder) {
-    const Scene scene = scene_in_common(golden.scene);
-    const int number = stage_number(golden.stage);
-    RenderSettings settings = bench::settings_of(golden.stage, scene, {{"fresnel", "exact"}});
-    settings.width = golden::width;
-    settings.height = golden::height;
-    const std::filesystem::path file = folder / (golden.name + ".pov");
+Verdict judge(const JudgedScene &judged, const std::filesystem::path &folder) {
+    const Scene scene = scene_in_common(judged.file);
+    const int number = stage_number(judged.stage);
+    RenderSettings settings = bench::settings_of(judged.stage, scene, {{"fresnel", "exact"}});
+    settings.width = judged.width;
+    settings.height = judged.height;
+    const std::filesystem::path file = folder / (judged.name + ".pov");
     export_pov(scene,
                {.width = settings.width,
                 .height = settings.height,
@@ -58,10 +77,10 @@ Verdict judge(const golden::GoldenScene &golden, const std::filesystem::path &fo
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     Verdict verdict{.povray =
                         bench::run_povray(file, settings.width, settings.height, threads).image,
-                    .truth = bench::reference_of(golden.stage, scene, settings),
+                    .truth = bench::reference_of(judged.stage, scene, settings),
                     .comparison = {}};
     verdict.comparison = compare(verdict.povray, verdict.truth.image, verdict.truth.edge,
-                                 golden::tolerance_of(golden.name, "povray"));
+                                 golden::tolerance_of(judged.name, "povray"));
     return verdict;
 }
 

@@ -27,8 +27,8 @@ void write_pictures(const Verdict &verdict, const std::filesystem::path &file) {
     write_image(difference, file.string() + ".difference.png", Transfer::none);
 }
 
-bench::ordered_json json_of(const Comparison &figures) {
-    return {{"pixels", golden::width * golden::height},
+bench::ordered_json json_of(const JudgedScene &scene, const Comparison &figures) {
+    return {{"pixels", scene.width * scene.height},
             {"edge_pixels", figures.edge_pixels},
             {"interior_outliers", figures.interior_outliers},
             {"worst_interior", figures.worst_interior},
@@ -55,10 +55,10 @@ int run() {
     fmt::print(
         "| scene | off inside | worst inside | pixels on edges | off there | strays | mean signed "
         "error | RMSE |\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
-    for (const golden::GoldenScene &scene : judged_scenes()) {
+    for (const JudgedScene &scene : judged_scenes()) {
         const Verdict verdict = judge(scene, folder);
         write_pictures(verdict, folder / scene.name);
-        json[scene.name] = json_of(verdict.comparison);
+        json[scene.name] = json_of(scene, verdict.comparison);
         fmt::print("{}", row_of(scene.name, verdict.comparison));
         if (!verdict.comparison.failure.empty()) {
             bench::say(scene.name + ": " + verdict.comparison.failure);

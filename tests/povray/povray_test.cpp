@@ -10,7 +10,7 @@
 namespace stagelight::povray {
 namespace {
 
-class PovRay : public testing::TestWithParam<golden::GoldenScene> {};
+class PovRay : public testing::TestWithParam<JudgedScene> {};
 
 TEST_P(PovRay, DrawsWhatTheReferenceDraws) {
     const TemporaryFolder folder;
