@@ -20,6 +20,7 @@
 #include "image/image_io.h"
 #include "image/whole_file.h"
 #include "pov/pov_export.h"
+#include "scene/bodies.h"
 #include "scene/closed_mesh.h"
 #include "scene/errors.h"
 #include "scene/progress.h"
@@ -140,16 +141,26 @@ bool choose_by_error(const std::string &stage, const Options &options, const Sce
     return budget.is_met;
 }
 
+std::vector<std::string> warnings_of(const Scene &scene) {
+    std::vector<std::string> lines = scene.warnings;
+    const auto add = [&lines](const std::vector<std::string> &more) {
+        lines.insert(lines.end(), more.begin(), more.end());
+    };
+    add(open_dielectric_meshes(scene));
+    const Bodies bodies = bodies_of(scene);
+    add(bodies.warnings);
+    bodies_at(scene, bodies, scene.camera.position, &lines);
+    return lines;
+}
+
 int run(const std::string &stage, const Options &options, Startup &startup) {
     startup.done("start");
     // Before OpenCL's drivers load, which is when they are first asked for: run_sandboxed forks,
     // and a child that is forked beside a loading library would find the loader locked for ever.
     const Scene scene = load_scene(options.scene);
     require_supported(scene, stage_number(stage));
-    for (const std::vector<std::string> &lines : {scene.warnings, open_dielectric_meshes(scene)}) {
-        for (const std::string &line : lines) {
-            warn(line);
-        }
+    for (const std::string &line : warnings_of(scene)) {
+        warn(line);
     }
     RenderSettings settings = settings_of(options, scene, stage_number(stage));
     if (options.export_pov) {
