@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/contact.h"
 #include "scene/errors.h"
 #include "scene/material_table.h"
 #include "scene/mesh_import.h"
@@ -134,6 +135,7 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         progress.step();
     }
     scene.warnings = orient_dielectrics(scene);
+    settle_contacts(scene);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene
     }
