@@ -10,8 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "scene/normalize.h"
 #include "scene/rounding.h"
-#include "scene/unit_vector.h"
 
 namespace stagelight {
 namespace {
@@ -31,7 +31,7 @@ double overlap(const TriangleCorners &a, const TriangleCorners &b, const glm::dv
     for (const TriangleCorners *triangle : {&a, &b}) {
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec3 axis =
-                unit_vector(glm::cross(normal, (*triangle)[(i + 1) % 3] - (*triangle)[i]));
+                normalize(glm::cross(normal, (*triangle)[(i + 1) % 3] - (*triangle)[i]));
             const auto along = [&](const TriangleCorners &of) {
                 return std::minmax(
                     {glm::dot(axis, of[0]), glm::dot(axis, of[1]), glm::dot(axis, of[2])});
@@ -210,7 +210,7 @@ FlatFace::FlatFace(const Scene &scene, const Triangle &triangle)
         farthest = std::max(farthest,
                             glm::distance(scene.camera.position, scene.vertices[vertex].position));
     }
-    normal = unit_vector(glm::dot(cross, side) < 0 ? -cross : cross);
+    normal = normalize(glm::dot(cross, side) < 0 ? -cross : cross);
     area = 0.5 * glm::length(cross);
 }
 
