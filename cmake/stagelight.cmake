@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: MIT
-# The functions that the modules are declared with.
+# The stages, and the functions that the modules are declared with.
+
+# A folder is all it takes: a new one is found at the next build.
+file(GLOB stagelight_stages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/stages
+     ${PROJECT_SOURCE_DIR}/stages/[0-9][0-9]_*/main.cpp)
+list(TRANSFORM stagelight_stages REPLACE "/main.cpp" "")
 
 option(STAGELIGHT_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 option(STAGELIGHT_SANITIZE_THREAD "Build with ThreadSanitizer" OFF)

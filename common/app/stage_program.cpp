@@ -61,17 +61,23 @@ void require_outputs(const Run &run) {
     }
 }
 
+std::vector<std::string> warnings_of(const Scene &scene) {
+    std::vector<std::string> lines = scene.warnings;
+    const auto add = [&lines](const std::vector<std::string> &more) {
+        lines.insert(lines.end(), more.begin(), more.end());
+    };
+    add(open_dielectric_meshes(scene));
+    const Bodies bodies = bodies_of(scene);
+    add(bodies.warnings);
+    bodies_at(scene, bodies, scene.camera.position, &lines);
+    return lines;
+}
+
 Scene scene_of(const Run &run) {
     Scene scene = load_scene(run.options.scene);
     require_supported(scene, stage_number(run.stage));
-    const Bodies bodies = bodies_of(scene);
-    std::vector<std::string> eye;
-    bodies_at(scene, bodies, scene.camera.position, &eye);
-    for (const std::vector<std::string> &lines :
-         {scene.warnings, open_dielectric_meshes(scene), bodies.warnings, eye}) {
-        for (const std::string &line : lines) {
-            warn(line);
-        }
+    for (const std::string &line : warnings_of(scene)) {
+        warn(line);
     }
     return scene;
 }

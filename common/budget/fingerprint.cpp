@@ -100,7 +100,7 @@ std::uint64_t fingerprint(const cl::Device &device, const std::string &stage, co
     hash.add(device.getInfo<CL_DEVICE_NAME>());
     hash.add(device.getInfo<CL_DRIVER_VERSION>());
     for (const Method &method : methods_of(stage_number(stage))) {
-        for (const std::string_view lesson : {std::string_view(stage), stage_name(tree_stage)}) {
+        for (const std::string &lesson : {stage, stage_name(tree_stage)}) {
             hash.add(kernel_source(fmt::format("stages/{}/kernel.cl", lesson), settings.kernels,
                                    {{method.kind, method.name}}));
         }

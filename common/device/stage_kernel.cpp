@@ -121,8 +121,8 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
     const std::string writes = picture == Picture::image ? " -D PICTURE_IS_IMAGE=1" : "";
     options_ = build_options(device, needs_, settings.methods) + (samples_ > 1 ? "" : writes);
     // Where a work-item has one ray, packets give way to the tree for one.
-    const std::string lesson(number >= packet_stage && width_ == 1 ? stage_name(tree_stage)
-                                                                   : std::string_view(stage));
+    const std::string &lesson =
+        number >= packet_stage && width_ == 1 ? stage_name(tree_stage) : stage;
     const std::string source =
         kernel_source("stages/" + lesson + "/kernel.cl", settings.kernels,
                       files_of(with_defaults(settings.methods, number), needs_));

@@ -46,6 +46,7 @@ void append_mesh(std::vector<Body> &list, const Scene &scene, std::size_t mesh,
     for (std::size_t i = 0; i < parts.size(); ++i) {
         Body &body = list[body_of[is_cavity(i) ? static_cast<std::size_t>(enclosing[i]) : i]];
         body.volume += parts[i].volume;
+        body.shells.push_back(parts[i].triangles.front());
         body.is_closed = body.is_closed && parts[i].is_closed;
         body.triangles.insert(body.triangles.end(), parts[i].triangles.begin(),
                               parts[i].triangles.end());

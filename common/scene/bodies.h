@@ -21,6 +21,7 @@ struct Body {
     int sphere = -1;                         // index into Scene::spheres, or -1
     int plane = -1;                          // index into Scene::planes, or -1
     std::vector<std::uint32_t> triangles{};  // indices into Scene::triangles, ascending
+    std::vector<std::uint32_t> shells{};     // of these the first of each connected part
     bool is_closed = true;                   // no edge of it is without a second triangle
 };
 

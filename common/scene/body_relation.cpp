@@ -90,7 +90,7 @@ bool BodyRelations::holds(std::size_t mesh, const glm::dvec3 &point) const {
 
 std::size_t BodyRelations::held_by(std::size_t outer, std::size_t inner) const {
     return static_cast<std::size_t>(
-        std::ranges::count_if(bodies_[inner].triangles, [&](std::uint32_t triangle) {
+        std::ranges::count_if(bodies_[inner].shells, [&](std::uint32_t triangle) {
             return holds(outer, corners_of(scene_, scene_.triangles[triangle])[0]);
         }));
 }
@@ -121,13 +121,12 @@ Relation BodyRelations::of_meshes(std::size_t first, std::size_t second) const {
     if (in_second == 0 && in_first == 0) {
         return Relation::apart;
     }
-    // A body that fills a cavity of the other and more has some of the other's corners in it too.
-    if (in_first == 0 && in_second == bodies_[first].triangles.size()) {
+    // A body that fills a cavity of the other and more has some of the other's shells in it too.
+    if (in_first == 0 && in_second == bodies_[first].shells.size()) {
         return Relation::first_in_second;
     }
-    return in_second == 0 && in_first == bodies_[second].triangles.size()
-               ? Relation::second_in_first
-               : Relation::crossing;
+    return in_second == 0 && in_first == bodies_[second].shells.size() ? Relation::second_in_first
+                                                                       : Relation::crossing;
 }
 
 Relation BodyRelations::with_half_space(std::size_t body, const Plane &plane) const {

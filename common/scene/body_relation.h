@@ -28,7 +28,7 @@ public:
 private:
     const MeshSurface &surface(std::size_t body) const;
     bool holds(std::size_t mesh, const glm::dvec3 &point) const;
-    // Of the triangles of the mesh `inner`, how many have their first corner in the mesh `outer`.
+    // How many shells of the mesh `inner` lie in the mesh `outer`. Their surfaces don't meet.
     std::size_t held_by(std::size_t outer, std::size_t inner) const;
     Relation of_sphere_and_mesh(const Sphere &sphere, std::size_t mesh) const;
     Relation of_meshes(std::size_t first, std::size_t second) const;

@@ -22,22 +22,20 @@ Segment edge(const TriangleCorners &triangle, std::size_t i) {
     return {triangle[i], triangle[(i + 1) % 3] - triangle[i]};
 }
 
-double share(double numerator, double denominator) {
-    return denominator > 0 ? std::clamp(numerator / denominator, 0.0, 1.0) : 0.0;
-}
-
-// Ericson, Real-Time Collision Detection (2005), section 5.1.9.
+// Ericson, Real-Time Collision Detection (2005), section 5.1.9. Infinite where an end of one is the
+// nearest point, which is told by closest_point.
 double distance(const Segment &p, const Segment &q) {
+    constexpr double none = std::numeric_limits<double>::infinity();
     const dvec3 r = p.start - q.start;
     const double a = dot(p.along, p.along), e = dot(q.along, q.along), b = dot(p.along, q.along);
     const double c = dot(p.along, r), f = dot(q.along, r);
-    double s = share(b * f - c * e, a * e - b * b);
-    double t = e > 0 ? (b * s + f) / e : 0;
-    if (t < 0 || t > 1) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = share(b * t - c, a);
+    const double determinant = a * e - b * b;
+    if (!(determinant > 0)) {  // they are parallel
+        return none;
     }
-    return glm::length(r + s * p.along - t * q.along);
+    const double s = (b * f - c * e) / determinant, t = (a * f - b * c) / determinant;
+    const bool is_within = s >= 0 && s <= 1 && t >= 0 && t <= 1;
+    return is_within ? glm::length(r + s * p.along - t * q.along) : none;
 }
 
 // Whether the segment passes through the triangle: its ends lie on different sides, and its line

@@ -14,32 +14,30 @@ namespace {
 
 // A triangle's side of an edge.
 struct Side {
-    std::uint32_t low, high;  // places
     std::uint32_t triangle;
     std::uint32_t edge;
-    bool goes_up;      // the triangle runs from low to high
+    bool goes_up;      // the triangle runs from the lower place to the higher
     double angle = 0;  // of the triangle about the edge
 };
 
-std::vector<Side> sides_of(const Scene &scene, const std::vector<std::uint32_t> &places,
-                           std::span<const std::uint32_t> triangles) {
-    std::vector<Side> sides;
+struct Key {
+    std::uint64_t places;  // of its ends, the lower one first
+    std::uint32_t side;    // three a triangle
+};
+
+std::vector<Key> sorted_sides(const Scene &scene, const std::vector<std::uint32_t> &places,
+                              std::span<const std::uint32_t> triangles) {
+    std::vector<Key> sides;
     sides.reserve(3 * triangles.size());
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const auto &vertices = scene.triangles[triangles[i]].vertices;
         for (std::uint32_t edge = 0; edge < 3; ++edge) {
-            const std::uint32_t from = places[vertices[edge]],
-                                to = places[vertices[(edge + 1) % 3]];
-            sides.push_back({.low = std::min(from, to),
-                             .high = std::max(from, to),
-                             .triangle = i,
-                             .edge = edge,
-                             .goes_up = from < to});
+            const auto [low, high] =
+                std::minmax(places[vertices[edge]], places[vertices[(edge + 1) % 3]]);
+            sides.push_back({std::uint64_t{low} << 32 | high, 3 * i + edge});
         }
     }
-    std::ranges::sort(sides, {}, [](const Side &side) {
-        return std::tie(side.low, side.high, side.triangle, side.edge);
-    });
+    std::ranges::sort(sides, {}, [](const Key &key) { return std::tie(key.places, key.side); });
     return sides;
 }
 
@@ -79,7 +77,6 @@ double cost(std::span<const Side> sides, std::size_t start) {
         const Side &a = sides[i % sides.size()], &b = sides[(i + 1) % sides.size()];
         sum += coincide(a, b) ? 1000.0 : 0.0;  // nothing lies between them
         sum += a.goes_up == b.goes_up ? 2.0 : 0.0;
-        sum += a.goes_up ? 1.0 : 0.0;          // air lies between them, if the file is right
         // A file tells one thing after the other.
         sum += 1e-12 * std::abs(double(a.triangle) - double(b.triangle));
     }
@@ -112,13 +109,17 @@ EdgeGraph edge_graph(const Scene &scene, const std::vector<std::uint32_t> &place
                      std::span<const std::uint32_t> triangles) {
     EdgeGraph graph;
     graph.across.resize(triangles.size());
-    std::vector<Side> sides = sides_of(scene, places, triangles);
-    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-        while (last < sides.size() && sides[last].low == sides[first].low
-               && sides[last].high == sides[first].high) {
-            ++last;
+    const std::vector<Key> keys = sorted_sides(scene, places, triangles);
+    std::vector<Side> edge;
+    for (std::size_t i = 0; i < keys.size();) {
+        const std::uint64_t ends = keys[i].places;
+        edge.clear();
+        for (; i < keys.size() && keys[i].places == ends; ++i) {
+            const std::uint32_t triangle = keys[i].side / 3, number = keys[i].side % 3;
+            const std::uint32_t from =
+                places[scene.triangles[triangles[triangle]].vertices[number]];
+            edge.push_back({.triangle = triangle, .edge = number, .goes_up = from == ends >> 32});
         }
-        const std::span<Side> edge(sides.data() + first, last - first);
         if (edge.size() == 2) {
             join(graph, edge[0], edge[1]);
         } else if (edge.size() % 2 == 0) {
@@ -126,7 +127,7 @@ EdgeGraph edge_graph(const Scene &scene, const std::vector<std::uint32_t> &place
             join_around(graph, edge);
         } else if (edge.size() > 1) {
             ++graph.crowded;
-            for (const Side &side : edge.subspan(1)) {
+            for (const Side &side : std::span(edge).subspan(1)) {
                 graph.crowded_links.emplace_back(edge[0].triangle, side.triangle);
             }
         }

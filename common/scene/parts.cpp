@@ -70,6 +70,7 @@ std::vector<Part> parts_of(const Scene &scene, std::span<const std::uint32_t> tr
 
 std::vector<int> enclosing_parts(const Scene &scene, const std::vector<Part> &parts) {
     std::vector<Box> boxes;
+    boxes.reserve(parts.size());
     for (const Part &part : parts) {
         boxes.push_back(part.box);
     }

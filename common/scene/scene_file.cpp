@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/contact.h"
 #include "scene/errors.h"
 #include "scene/large_triangles.h"
 #include "scene/material_table.h"
@@ -135,6 +136,7 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         progress.step();
     }
     scene.warnings = orient_dielectrics(scene);
+    settle_contacts(scene);
     cut_large_triangles(scene);
     if (scene.materials.empty()) {
         scene.materials.emplace_back();  // a buffer can't be empty, not even for an empty scene

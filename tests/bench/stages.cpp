@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/stages.h"
 
-#include "device/kernel_source.h"
 #include "device/scene_needs.h"
 #include "golden/suite.h"
 #include "scene/progress.h"
@@ -9,18 +8,8 @@
 
 namespace stagelight::bench {
 
-std::vector<std::string> stages() {
-    std::vector<std::string> names;
-    for (const std::string_view name : stage_names) {
-        if (embedded_sources.contains("stages/" + std::string(name) + "/kernel.cl")) {
-            names.emplace_back(name);
-        }
-    }
-    return names;
-}
-
-std::string full_tracer() {
-    return stages().back();
+const std::string &full_tracer() {
+    return stage_names().back();
 }
 
 RenderSettings settings_of(const std::string &stage, const Scene &scene, const Methods &methods) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "device/stage_kernel.h"
 #include "reference/reference.h"
@@ -11,11 +10,8 @@
 
 namespace stagelight::bench {
 
-// The folders' names of the stages that there are, in their order.
-std::vector<std::string> stages();
-
-// The highest.
-std::string full_tracer();
+// The highest stage.
+const std::string &full_tracer();
 
 // As `stage` draws the scene where nobody says otherwise.
 RenderSettings settings_of(const std::string &stage, const Scene &scene,

@@ -12,6 +12,7 @@
 #include "device/device_choice.h"
 #include "scene/errors.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight::bench {
 namespace {
@@ -95,7 +96,7 @@ int bench_stages(int argc, char **argv) {
     const std::filesystem::path file = report_file("bench.json");
     const cl::Device device = choose_device("");
     Measured measured;
-    for (const std::string &stage : stages()) {
+    for (const std::string &stage : stage_names()) {
         benchmark::RegisterBenchmark(stage.c_str(),
                                      [&, stage](benchmark::State &state) {
                                          if (!measured.contains(stage)) {

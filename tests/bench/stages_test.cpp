@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bench/stages.h"
 
-#include <algorithm>
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
 namespace stagelight::bench {
 namespace {
-
-TEST(BenchStages, AreTheFoldersThatThereAre) {
-    std::vector<std::string> folders;
-    for (const auto &entry : std::filesystem::directory_iterator(
-             std::filesystem::path(STAGELIGHT_SOURCE_DIR) / "stages")) {
-        if (entry.is_directory()) {
-            folders.push_back(entry.path().filename());
-        }
-    }
-    std::ranges::sort(folders);
-    EXPECT_EQ(stages(), folders);
-    EXPECT_EQ(full_tracer(), folders.back());
-}
 
 TEST(BenchStages, SettingsAreTheScenes) {
     Scene scene;

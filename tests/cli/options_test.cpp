@@ -7,16 +7,12 @@
 
 #include "cli/picture_file.h"
 #include "cli/program.h"
+#include "scene/stages.h"
 
 namespace stagelight::cli {
 namespace {
 
 using Files = std::vector<std::string>;
-
-const std::vector<std::string> stages{
-    "01_primitives", "02_shading_shadows", "03_reflection_glossy", "04_refraction_beer",
-    "05_meshes",     "06_textures",        "07_interop",           "08_gamma",
-    "09_tree",       "10_packets",         "11_full_tracer"};
 
 class EveryStage : public Cli, public testing::WithParamInterface<std::string> {};
 
@@ -33,7 +29,7 @@ bool starts_a_line(const std::string &text, const std::string &part) {
 
 const auto its_stage = [](const auto &stage) { return "Stage" + stage.param; };
 
-INSTANTIATE_TEST_SUITE_P(Programs, EveryStage, testing::ValuesIn(stages), its_stage);
+INSTANTIATE_TEST_SUITE_P(Programs, EveryStage, testing::ValuesIn(stage_names()), its_stage);
 
 TEST_P(EveryStage, DrawsItsDefaultSceneToOut) {
     const Outcome outcome = run(GetParam(), {"--size", small});

@@ -11,6 +11,7 @@
 #include "display/xvfb.h"
 #include "implementations.h"
 #include "scene/scene_file.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 namespace {
@@ -103,13 +104,13 @@ INSTANTIATE_TEST_SUITE_P(All, Stage07Presenters,
                                           testing::Values(ContextApi::native, ContextApi::egl)),
                          name_of);
 
-class Stage07EveryStage : public testing::TestWithParam<const char *> {
+class Stage07EveryStage : public testing::TestWithParam<std::string> {
     Xvfb xvfb_;
 };
 
 // Each stage's kernel can write to an image as to a buffer.
 TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
-    const std::string stage = GetParam();
+    const std::string &stage = GetParam();
     const Scene scene = scene_of(stage);
     Window window(window_settings());
     FramePipeline pipeline(choose_device(implementations.front()), window.api(), stage, scene,
@@ -119,12 +120,8 @@ TEST_P(Stage07EveryStage, IsShownOnSharedAsWithoutAWindow) {
     expect_same(pipeline.texture().read(), without_window(implementations.front(), stage, scene));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage,
-                         testing::Values("01_primitives", "02_shading_shadows",
-                                         "03_reflection_glossy", "04_refraction_beer", "05_meshes",
-                                         "06_textures", "08_gamma", "09_tree", "10_packets",
-                                         "11_full_tracer"),
-                         [](const auto &instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(All, Stage07EveryStage, testing::ValuesIn(stage_names()),
+                         [](const auto &instance) { return instance.param; });
 
 class Stage07FallbackChain : public WithDisplay {
 protected:

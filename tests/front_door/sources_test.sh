@@ -83,6 +83,40 @@ test_stage_differences_see() {
     expect_text "a long part" "of 150 at the most: a block of pixels" "$output"
 }
 
+# lists_without STAGE: of all that a new stage is added to by hand, what does not have it. CMake and the programs find
+# it by its folder.
+lists_without() {
+    local stage=$1 number=${1%%_*} file pattern
+    while read -r file pattern; do
+        grep -qsE -- "$pattern" "$source_dir/$file" || echo "$file"
+    done <<END
+scenes/$stage.toml .
+golden/$stage.exr .
+docs/chapters/$stage.md .
+docs/pictures/$number.toml .
+README.md ^\\| \[$stage\]\(stages/$stage\) \\|
+docs/index.md \(chapters/$stage\.md\):
+docs/pov-ray.md ^\\| $stage \\|
+docs/recorded/costs.json "stage": ?"$stage"
+tests/oclgrind/CMakeLists.txt ^ *oclgrind_test\(\S+ $stage
+tests/render/arguments_test.cpp DefaultScene\{"$stage"
+tests/mutants/mutants.toml ^stage = "$number"
+END
+}
+
+test_lists_of_stages() {
+    local stages stage words file
+    mapfile -t stages < <(cd "$source_dir/stages" && printf '%s\n' [0-9][0-9]_*)
+    for stage in "${stages[@]}"; do
+        expect_empty "$stage is missing in" "$(lists_without "$stage")"
+    done
+    expect_equal "lists without a stage that nobody has added" 11 "$(lists_without 99_new | wc -l)"
+    words=(none one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen)
+    for file in README.md CITATION.cff docs/index.md docs/.vitepress/config.mts; do
+        expect_text "how many stages $file says there are" "in ${words[${#stages[@]}]} stages" "$(<"$source_dir/$file")"
+    done
+}
+
 # A mark that is wrong, one that is missing, and a head that tells another story.
 test_signposts_see() {
     local copy=$scratch/copy output

@@ -30,7 +30,7 @@ bool is_stage_scene(const std::filesystem::path &file) {
 }
 
 std::string stage_of(const std::string &scene) {
-    return std::string(stage_name(stage_number(scene)));
+    return stage_name(stage_number(scene));
 }
 
 // Whether the device filters the scene's textures with weights of few bits, as GPUs do. Weights of

@@ -24,7 +24,7 @@ void expect_drawn(const cl::Device &device, const Scene &scene, int stage,
         .max_depth = small.max_depth,
         .methods = {{"interior", interior == Interior::paper ? "paper" : "full"}},
         .kernels = {}};
-    const std::string name(stage_name(stage));
+    const std::string &name = stage_name(stage);
     Settings with = small;
     with.interior = interior;
     const Result truth = render<double>(scene, with);

@@ -119,6 +119,12 @@ INSTANTIATE_TEST_SUITE_P(
             DefaultScene{"06_textures", shaded + mesh
                                             + Names{"spheres", "planes", "lights", "textures",
                                                     "vertex_texture_coordinates"}},
+            DefaultScene{"07_interop", shaded + mesh
+                                           + Names{"spheres", "planes", "lights", "textures",
+                                                   "vertex_texture_coordinates"}},
+            DefaultScene{"08_gamma", shaded + mesh
+                                         + Names{"spheres", "planes", "lights", "textures",
+                                                 "vertex_texture_coordinates"}},
             DefaultScene{"09_tree", shaded + tree + Names{"spheres", "planes", "lights"}},
             DefaultScene{"10_packets", shaded + tree + Names{"spheres", "planes", "lights"}},
             DefaultScene{"11_full_tracer", shaded + tree
@@ -194,15 +200,12 @@ TEST_P(Earlier, ScenesAreDrawnWithoutWhatTheyHaveNot) {
     expect_color(draw(plain), 0, 0, shades ? dvec3(0.5) : dvec3(0.5, 0.5, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Stages, Earlier,
-    testing::Combine(testing::Values("01_primitives", "02_shading_shadows", "03_reflection_glossy",
-                                     "04_refraction_beer", "05_meshes", "06_textures", "08_gamma",
-                                     "09_tree", "10_packets", "11_full_tracer"),
-                     each_device()),
-    [](const auto &scene) {
-        return "Stage" + std::get<0>(scene.param) + "_" + name_in_tests(std::get<1>(scene.param));
-    });
+INSTANTIATE_TEST_SUITE_P(Stages, Earlier,
+                         testing::Combine(testing::ValuesIn(stage_names()), each_device()),
+                         [](const auto &scene) {
+                             return "Stage" + std::get<0>(scene.param) + "_"
+                                    + name_in_tests(std::get<1>(scene.param));
+                         });
 
 int need(const Scene &scene, const std::string &name) {
     return value_of(needs_of(scene, 4, scene.max_depth), name);

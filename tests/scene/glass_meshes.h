@@ -52,6 +52,10 @@ inline std::string cube(bool inwards, const glm::dvec3 &center = {0, 0, 0},
     return corners(center, half) + faces(inwards, first);
 }
 
+// On three corners of a cube of edge 1 and the fourth between them.
+inline const std::string pyramid = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                   "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
 // With normals in the file: those of the faces, times `sign`.
 inline std::string cube_with_normals(bool inwards, int sign) {
     std::string text = corners({0, 0, 0}, {1, 1, 1});

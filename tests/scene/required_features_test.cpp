@@ -146,12 +146,5 @@ TEST(RequiredFeatures, OfSeveralTheLastIsNamed) {
               "11_full_tracer is the first stage that can draw it");
 }
 
-TEST(Stages, AreNamedInOrder) {
-    for (std::size_t i = 0; i < stage_names.size(); ++i) {
-        const std::string number = fmt::format("{:02}_", i + 1);
-        EXPECT_EQ(stage_names[i].substr(0, 3), number) << "of " << stage_names[i];
-    }
-}
-
 }  // namespace
 }  // namespace stagelight
