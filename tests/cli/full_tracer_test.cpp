@@ -83,6 +83,7 @@ TEST_F(Stage11Needs, AreToldWithWhatTheyDisable) {
     const json disabled = stats(paint).at("disabled_features");
     EXPECT_EQ(disabled, json({{"mirrors", "no material is mirror or glossy"},
                               {"refraction", "no material is dielectric"},
+                              {"glass in glass", "no dielectrics meet, and the eye is in none"},
                               {"triangles", "there is no mesh"},
                               {"textures", "no material has a texture"},
                               {"texture coordinates of vertices", "no mesh has a texture"},
@@ -90,7 +91,7 @@ TEST_F(Stage11Needs, AreToldWithWhatTheyDisable) {
                               {"branch on the type of light", "all lights are of one type"},
                               {"stack", "no ray splits in two: it has one place"}}));
     expect_part(said(), "not in the kernel, as this scene needs none: mirrors, refraction, "
-                        "triangles, textures, ");
+                        "glass in glass, triangles, textures, ");
     const json with_glass =
         stats("type = \"dielectric\"\n", {}, "[[lights]]\ntype = \"point\"\nposition = [0, 5, 0]\n")
             .at("disabled_features");

@@ -25,7 +25,7 @@ SERVES = {
     ("HAS_TRIANGLES", "HAS_MESH_TEXTURES"): ("triangle.cl",),
     ("HAS_TEXTURES", "HAS_MESH_TEXTURES"): ("texture.cl", "texture_coordinates.cl", "filtering/"),
     ("HAS_LIGHTS", "HAS_POINT_LIGHT", "HAS_DIRECTIONAL_LIGHT"): ("light.cl", "shadow.cl", "any_hit.cl"),
-    ("HAS_MEDIA",): ("media.cl",),
+    ("HAS_MEDIA",): (),
     ("HAS_DIELECTRIC", "HAS_MEDIA"): ("dielectric.cl", "media.cl", "fresnel/", "transmission/"),
     ("HAS_REFLECTION", "HAS_DIELECTRIC", "HAS_MEDIA"): ("reflection.cl", "dielectric.cl"),
 }
