@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "scene/errors.h"
+#include "scene/progress.h"
 
 namespace stagelight {
 namespace {
@@ -46,8 +46,15 @@ Media::Media(const Scene &scene, bool eye_moves)
         of_body_[static_cast<std::size_t>(body)] = static_cast<int>(materials_.size()) - 1;
     }
     if (materials_.size() > most_media) {
-        throw UserError(fmt::format("{}: {} dielectrics meet; expected at most {}",
-                                    scene.file.string(), materials_.size(), most_media));
+        warn(fmt::format(
+            "{}: {} dielectrics meet; rays remember {} of them, and take the {} of the "
+            "lowest precedence for bodies in air",
+            scene.file.string(), materials_.size(), most_media, materials_.size() - most_media));
+        const auto left = static_cast<int>(materials_.size() - most_media);
+        materials_.erase(materials_.begin(), materials_.begin() + left);
+        for (int &medium : of_body_) {
+            medium = std::max(medium - left, -1);
+        }
     }
 }
 

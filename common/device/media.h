@@ -17,7 +17,7 @@ class Media {
 public:
     Media() = default;
     // With the bodies that meet others or hold the eye, or where the eye will move, with all: none
-    // in most scenes. Throws UserError for more than 32 media.
+    // in most scenes. Of more than 32 media, warns and leaves out those of the lowest precedence.
     Media(const Scene &scene, bool eye_moves);
 
     // Of each medium, lowest first, its index into Scene::materials.

@@ -53,7 +53,7 @@ std::vector<std::uint32_t> parts_of_triangles(const Scene &scene) {
         return place;
     };
     for (const Triangle &triangle : scene.triangles) {
-        for (const std::size_t corner : {1, 2}) {
+        for (const std::size_t corner : {1U, 2U}) {
             root[find(places[triangle.vertices[corner]])] = find(places[triangle.vertices[0]]);
         }
     }
@@ -146,7 +146,7 @@ private:
                 edge(triangle, i));
         };
         std::size_t found = 0;
-        for (const std::size_t i : {1, 2}) {
+        for (const std::size_t i : {1U, 2U}) {
             found = key(i) > key(found) ? i : found;
         }
         return found;
@@ -163,13 +163,13 @@ private:
     }
 
     void add_edges(std::size_t triangle) {
-        for (const std::size_t i : {0, 1, 2}) {
+        for (const std::size_t i : {0U, 1U, 2U}) {
             beside_[edge(triangle, i)].insert(triangle);
         }
     }
 
     void remove_edges(std::size_t triangle) {
-        for (const std::size_t i : {0, 1, 2}) {
+        for (const std::size_t i : {0U, 1U, 2U}) {
             beside_[edge(triangle, i)].erase(triangle);
         }
     }

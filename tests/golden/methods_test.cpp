@@ -130,7 +130,7 @@ TEST(MethodPictures, AreOfAllThatTheStagesDoNotDrawByDefault) {
     // Beside the goldens, in their size, and by the host: tests/kernels/transfer_test.cpp.
     const std::set<std::string> elsewhere{"width", "interior=paper", "fresnel=exact", "decode=2.2",
                                           "encode"};
-    const int last = int(stage_names.size());
+    const int last = int(stage_names().size());
     for (const Method &method : methods_of(last)) {
         const bool is_default = method.name == choice({}, method.kind, last);
         const bool is_a_compilers = method.name == "relaxed";

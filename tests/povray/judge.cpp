@@ -35,6 +35,10 @@ Scene scene_in_common(const std::filesystem::path &file) {
 std::vector<JudgedScene> judged_scenes() {
     std::vector<JudgedScene> scenes;
     for (const golden::GoldenScene &golden : golden::all_scenes()) {
+        if (golden.name == "11_glass") {
+            continue;  // Suzanne's head and eyes overlap and have holes: what is inside is not
+                       // defined
+        }
         scenes.push_back({.name = golden.name,
                           .stage = golden.stage,
                           .file = golden.scene,
