@@ -44,11 +44,12 @@ TEST_P(StabilityStage11Crowd, FourThousandTrianglesInOnePlace) {
     expect_reference(scene);
 }
 
-// The lights: at the eye, on the floor, and inside of a ball that lets none out.
-TEST_P(StabilityStage11Crowd, AThousandSpheresInOneAnotherAndLightsInOddPlaces) {
+// As many as rays remember. The lights: at the eye, on the floor, and inside of a ball that lets
+// none out.
+TEST_P(StabilityStage11Crowd, ThirtySpheresInOneAnotherAndLightsInOddPlaces) {
     Scene scene = small({0, 1, 4}, {0, 0.6, 0});
-    for (int i = 0; i < 1000; ++i) {
-        reference::add_sphere(scene, {-0.8, 0.9, 0}, 0.8 - i * 0.0005,
+    for (int i = 0; i < 30; ++i) {
+        reference::add_sphere(scene, {-0.8, 0.9, 0}, 0.8 - i * 0.01,
                               reference::glass({1, 1, 1}, 1.5, {0.2, 0.1, 0.05}));
     }
     reference::add_sphere(scene, {1, 1, 0}, 0.7, reference::diffuse({0.9, 0.4, 0.3}));
