@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A cavity in clear glass is a ball whose index is 1 by that of the glass, which the course can draw. Where nothing
-is bent, the way through a shell is a difference of two chords."""
+"""A cavity in clear glass is a ball of air within it, which the course can draw. Where nothing is bent, the way through
+a shell is a difference of two chords."""
 import re
 import numpy as np
 from exercises import dot, rays, scene_text
@@ -32,7 +32,7 @@ def with_cavities(scene):
         inner = f"{ball[1]}radius = {HOLLOW * float(ball[2])}\nmaterial = \"cavity\"\n"
         return ball[0] + inner
     filled = re.sub(r'(\[\[spheres\]\]\ncenter = .*\n)radius = (.*)\nmaterial = "\w+_glass"\n', cavity, scene)
-    return filled + f'[materials.cavity]\ntype = "dielectric"\nior = {1 / 1.5}\n'
+    return filled + '[materials.cavity]\ntype = "dielectric"\nior = 1\n'
 
 
 def chord(eye, direction, radius):
