@@ -10,8 +10,8 @@ list_files() {
     for pattern in "$@"; do
         names+=(-o -name "$pattern")
     done
-    find "$source_dir" -mindepth 1 \( -name .git -o -name build -o -name out -o -name work -o -name node_modules \) \
-        -prune -o -type f \( "${names[@]:1}" \) -print
+    find "$source_dir" -mindepth 1 \( -name .git -o -name build -o -name out -o -name work -o -name node_modules \
+        -o -path "$source_dir/docs/generated" \) -prune -o -type f \( "${names[@]:1}" \) -print
 }
 
 test_shellcheck() {
