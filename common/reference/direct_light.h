@@ -3,16 +3,30 @@
 #pragma once
 
 #include "reference/lights.h"
+#include "reference/reference.h"
 #include "reference/world.h"
 
 namespace stagelight::reference {
 
+// Lambert's, N · L; of Chiang's rule times his shadowing function -G³ + G² + G (Chiang, Li and
+// Burley, Taming the Shadow Terminator, SIGGRAPH 2019 Talks, article 71).
+template <typename Number>
+Number cosine_towards(const Hit<Number> &hit, const Vec<Number> &light, Terminator terminator) {
+    const Number cosine = glm::dot(hit.shading_normal, light);
+    if (terminator != Terminator::chiang || !(cosine > 0))
+        return cosine;
+    const Number of_facet = glm::dot(hit.geometric_normal, light);
+    const Number between = glm::dot(hit.geometric_normal, hit.shading_normal);
+    const Number G = std::clamp(of_facet / (cosine * between), Number(0), Number(1));
+    return cosine * (-std::pow(G, Number(3)) + std::pow(G, Number(2)) + G);
+}
+
 // Asks for a line to a point light, for a ray towards a directional one.
 template <typename Number>
 Shadow shadow(const World<Number> &world, const Hit<Number> &hit, const Light &light,
-              const Arriving<Number> &arriving) {
+              const Arriving<Number> &arriving, Terminator terminator) {
     // Not a number where the light is at the very point: no light comes from there.
-    if (!(glm::dot(hit.shading_normal, arriving.direction) > 0)
+    if (!(cosine_towards(hit, arriving.direction, terminator) > 0)
         || largest(arriving.irradiance) == 0)
         return Shadow::unlit;
     const Ray<Number> ray =
@@ -26,13 +40,13 @@ Shadow shadow(const World<Number> &world, const Hit<Number> &hit, const Light &l
 // Lambert's cosine law, Σ (N · L) E, and to `shadows` one shadow a light.
 template <typename Number>
 Vec<Number> direct_light(const World<Number> &world, const Hit<Number> &hit,
-                         std::vector<Shadow> &shadows) {
+                         std::vector<Shadow> &shadows, Terminator terminator = Terminator::none) {
     Vec<Number> sum(0);
     for (const Light &light : world.scene().lights) {
         const Arriving<Number> arriving = light_at(light, hit.point);
-        shadows.push_back(shadow(world, hit, light, arriving));
+        shadows.push_back(shadow(world, hit, light, arriving, terminator));
         if (shadows.back() == Shadow::lit)
-            sum += glm::dot(hit.shading_normal, arriving.direction) * arriving.irradiance;
+            sum += cosine_towards(hit, arriving.direction, terminator) * arriving.irradiance;
     }
     return sum;
 }

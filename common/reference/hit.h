@@ -17,7 +17,10 @@ template <typename Number> struct Hit {
     Vec<Number> geometric_normal;  // G
     Vec2<Number> texture_coordinates;
     int material;
-    Number offset;      // rays from here start this far off the surface
+    Number offset;  // rays from here start this far off the surface
+    // From here to the smooth surface that a facet stands for: as it is seen from the front, and
+    // from behind.
+    Vec<Number> rise{0}, rise_behind{0};
     Surface surface{};  // which one: World says
     int body = -1;      // the dielectric it bounds, of World::bodies(); none of what is opaque
     bool from_behind = false;
@@ -53,6 +56,26 @@ Hit<Number> plane_hit(const Plane &plane, const Ray<Number> &ray, Number distanc
             .offset = surface_offset(std::max(largest(point), largest(base)))};
 }
 
+// `point` of a triangle is put onto the tangent plane of each corner that it is beneath, and the
+// three are blended by `weights` (Hanika, Hacking the Shadow Terminator, Ray Tracing Gems II, 2021,
+// section 4.3). How far that is, unless it is beneath the facet. Above is where `up` points, the
+// facet's normal.
+template <typename Number>
+Vec<Number> rise_of(const Scene &scene, const Triangle &triangle, const Vec<Number> &weights,
+                    const Vec<Number> &point, const Vec<Number> &shading_normal,
+                    const Vec<Number> &up) {
+    const Number side = glm::dot(shading_normal, up) < 0 ? -1 : 1;
+    Vec<Number> blend(0);
+    for (int i = 0; i < 3; ++i) {
+        const Vertex &corner = scene.vertices[triangle.vertices[std::size_t(i)]];
+        const Vec<Number> normal(corner.normal);
+        const Number height = glm::dot(point - Vec<Number>(corner.position), normal);
+        blend += weights[i] * (side * height < 0 ? point - height * normal : point);
+    }
+    const Vec<Number> rise = blend - point;
+    return glm::dot(rise, up) > 0 ? rise : Vec<Number>(0);
+}
+
 // Normals and texture coordinates are blended between the corners (paper, section 6).
 template <typename Number>
 Hit<Number> triangle_hit(const Scene &scene, const Triangle &triangle,
@@ -63,18 +86,23 @@ Hit<Number> triangle_hit(const Scene &scene, const Triangle &triangle,
         };
         return (1 - hit.u - hit.v) * at(0) + hit.u * at(1) + hit.v * at(2);
     };
+    const Vec<Number> weights(1 - hit.u - hit.v, hit.u, hit.v);
+    const Vec<Number> point = blend([](auto &v) { return Vec<Number>(v.position); });
     const auto corners = corners_of<Number>(scene, triangle);
     const auto normal = glm::normalize(blend([](auto &v) { return Vec<Number>(v.normal); }));
-    const auto geometric = glm::normalize(facing(corners));
+    const auto facet = glm::normalize(facing(corners));
+    const Vec<Number> geometric = glm::dot(facet, normal) < 0 ? -facet : facet;
     return {
         .distance = hit.distance,
-        .point = blend([](auto &v) { return Vec<Number>(v.position); }),
+        .point = point,
         .shading_normal = normal,
-        .geometric_normal = glm::dot(geometric, normal) < 0 ? -geometric : geometric,
+        .geometric_normal = geometric,
         .texture_coordinates = blend([](auto &v) { return Vec2<Number>(v.texture_coordinates); }),
         .material = triangle.material,
         .offset =
-            surface_offset(std::max({largest(corners.a), largest(corners.b), largest(corners.c)}))};
+            surface_offset(std::max({largest(corners.a), largest(corners.b), largest(corners.c)})),
+        .rise = rise_of(scene, triangle, weights, point, normal, geometric),
+        .rise_behind = rise_of(scene, triangle, weights, point, normal, Vec<Number>(-geometric))};
 }
 
 // A surface seen from behind turns both its normals to the eye.
@@ -84,6 +112,7 @@ Hit<Number> turned_to_eye(Hit<Number> hit, const Vec<Number> &direction) {
     if (hit.from_behind) {
         hit.shading_normal = -hit.shading_normal;
         hit.geometric_normal = -hit.geometric_normal;
+        hit.rise = hit.rise_behind;
     }
     return hit;
 }

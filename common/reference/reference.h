@@ -25,12 +25,20 @@ enum class Interior {
 // What share of the light a dielectric reflects.
 enum class Fresnel { schlick, exact };
 
+// Where light ends on a mesh whose normals are smooth.
+enum class Terminator {
+    none,    // as its facets are lit, and shadow each other
+    chiang,  // light fades out before a facet turns away
+    hanika,  // shadow rays start on the smooth surface
+};
+
 struct Settings {
     int width = 320;
     int height = 192;
     int max_depth = 8;
     Interior interior = Interior::full;
     Fresnel fresnel = Fresnel::schlick;
+    Terminator terminator = Terminator::none;
     Transfer decode = Transfer::none;  // which curve takes texels to light
 };
 

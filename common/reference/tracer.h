@@ -44,6 +44,7 @@ private:
 
     Vec<Number> trace(const Ray<Number> &ray, Path path, RayTree &tree) const;
     Vec<Number> shade(const Meeting &at) const;
+    Vec<Number> lit(const Meeting &at) const;
     Vec<Number> reflected(const Meeting &at, const Vec<Number> &share) const;
     Vec<Number> dielectric(const Meeting &at) const;
     Vec<Number> through_interior(const Meeting &at, const Vec<Number> &inward,
@@ -108,16 +109,23 @@ template <typename Number> Vec<Number> Tracer<Number>::shade(const Meeting &at) 
     const auto s = Number(at.material.specularity);
     switch (at.material.type) {
     case MaterialType::diffuse:
-        return at.color * direct_light(world_, at.hit, at.tree.shadows);
+        return at.color * lit(at);
     case MaterialType::mirror:
         return reflected(at, at.color);
     case MaterialType::glossy:
-        return (1 - s) * at.color * direct_light(world_, at.hit, at.tree.shadows)
-               + reflected(at, s * at.color);
+        return (1 - s) * at.color * lit(at) + reflected(at, s * at.color);
     case MaterialType::dielectric:
         return dielectric(at);
     }
     return {};
+}
+
+// Straight from the lights. Hanika's rule has them seen from the smooth surface.
+template <typename Number> Vec<Number> Tracer<Number>::lit(const Meeting &at) const {
+    Hit<Number> hit = at.hit;
+    if (settings_.terminator == Terminator::hanika)
+        hit.point += hit.rise;
+    return direct_light(world_, hit, at.tree.shadows, settings_.terminator);
 }
 
 template <typename Number>
