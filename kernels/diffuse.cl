@@ -4,6 +4,7 @@
 #include "origin.cl"
 #include "ray_counts.cl"
 #include "shadow.cl"
+#include "terminator/hanika.cl"
 
 // #region direct_light
 // The sum over the lights that the point sees, of Lambert's cosine times irradiance (the 1/pi of
@@ -15,7 +16,10 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
     for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
-        const float cosine = dot(surface->normal, illumination.direction);
+        float cosine = dot(surface->normal, illumination.direction);
+        if (HAS_SMOOTH_MESH) {
+            cosine *= shadowing(surface, illumination.direction, cosine);
+        }
         if (cosine > 0.0f) {
             ++counts->shadow;
             if (!in_shadow(scene, light, offset_ray_origin(surface, illumination.direction))) {

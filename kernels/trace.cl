@@ -3,6 +3,7 @@
 // Illumination Model for Shaded Display, 1980), as a loop. The kernel has included closest_hit.
 #include "diffuse.cl"
 #include "shade.cl"
+#include "terminator/hanika.cl"
 
 // #region trace
 static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TEXTURES textures) {
@@ -27,11 +28,14 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TE
             // #endregion miss
         } else {
             // #region hit_surface
-            const Surface surface = surface_at(scene, incoming.ray, hit);
+            Surface surface = surface_at(scene, incoming.ray, hit);
             // #endregion hit_surface
             float3 weight;
             if (shade(scene, &incoming, hit, &surface, &weight, &stack, counts, textures)) {
                 // #region direct
+                if (HAS_SMOOTH_MESH && hit.shape == SHAPE_TRIANGLE) {
+                    surface.position += lift_off_facet(scene, &surface, hit);
+                }
                 color += weight * direct_light(scene, &surface, counts);
                 // #endregion direct
             }

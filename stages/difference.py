@@ -27,7 +27,7 @@ LEARNT = {
     7: {"PICTURE_IS_IMAGE": 1},
     9: {"HAS_TREE": 1, "HAS_FMA": 1},
     10: {"WIDTH": 16, "PACKETS": 4},
-    11: {"HAS_DIELECTRIC_MESH": 1, "CUTOFF_ONE_IN": 4096},
+    11: {"HAS_DIELECTRIC_MESH": 1, "HAS_SMOOTH_MESH": 1, "CUTOFF_ONE_IN": 4096},
 }
 # And those that stand for a count of things which the scene may lack.
 COUNTS = {"sphere_count": "HAS_SPHERES", "plane_count": "HAS_PLANES", "light_count": "HAS_LIGHTS",

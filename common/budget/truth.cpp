@@ -13,11 +13,15 @@ namespace stagelight {
 reference::Result truth_of(const std::string &stage, const Scene &scene,
                            const RenderSettings &settings) {
     const Progress progress("drawing the reference");
+    const int number = stage_number(stage);
     return reference::render<double>(scene, {.width = settings.width,
                                              .height = settings.height,
                                              .max_depth = settings.max_depth,
                                              .fresnel = reference::Fresnel::exact,
-                                             .decode = decode_of(stage_number(stage), {})});
+                                             .terminator = number < cutoff_stage
+                                                               ? reference::Terminator::none
+                                                               : reference::Terminator::hanika,
+                                             .decode = decode_of(number, {})});
 }
 
 double rmse_of(const Image &picture, const Image &truth) {

@@ -10,8 +10,9 @@
 namespace stagelight {
 
 // The scene by the reference in double, as `stage` draws it by these settings, one sample a pixel:
-// but with Fresnel's own equations, all reflections inside of glass, and texels as sRGB, whatever
-// methods are chosen. The depth limit is that of the settings.
+// but with Fresnel's own equations, all reflections inside of glass, smooth meshes lit as what they
+// stand for (from stage 11 on), and texels as sRGB, whatever methods are chosen. The depth limit is
+// that of the settings.
 reference::Result truth_of(const std::string &stage, const Scene &scene,
                            const RenderSettings &settings);
 

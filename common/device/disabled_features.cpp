@@ -24,6 +24,7 @@ constexpr Feature features[] = {
     {"HAS_MESH_TEXTURES", 6, "texture coordinates of vertices", "no mesh has a texture"},
     {"HAS_TREE", 9, "tree", "neither spheres nor triangles"},
     {"HAS_DIELECTRIC_MESH", 11, "smooth glass", "no mesh is dielectric"},
+    {"HAS_SMOOTH_MESH", 11, "smooth shadows", "no smooth mesh is lit, or terminator=none"},
 };
 
 }  // namespace

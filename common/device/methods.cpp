@@ -32,6 +32,11 @@ const std::vector<Method> &all_methods() {
         {"origin", "scaled", 2, "", "off the surface by 2e-6 of the largest number in play"},
         {"origin", "fixed", 2, "", "off the surface by 0.001"},
         {"origin", "integer", 2, "", "Wächter and Binder, Ray Tracing Gems 2019, chapter 6"},
+        {"terminator", "hanika", cutoff_stage, "",
+         "Hanika, Ray Tracing Gems II 2021, chapter 4: shadow rays start on the smooth surface"},
+        {"terminator", "chiang", cutoff_stage, "",
+         "Chiang, Li and Burley 2019: light fades out before a facet turns away"},
+        {"terminator", "none", cutoff_stage, "", "as the facets are lit, and shadow each other"},
         {"fresnel", "schlick", glass_stage, "", "Schlick 1994, as the paper has it"},
         {"fresnel", "exact", cutoff_stage, "",
          "Fresnel's equations, for light that is not polarised"},
@@ -140,6 +145,9 @@ Methods files_of(Methods methods, const SceneNeeds &needs) {
     if (value_of(needs, "HAS_TEXTURES") == 0) {
         methods["filtering"] = "none";  // kernels/filtering/none.cl
     }
+    if (value_of(needs, "HAS_SMOOTH_MESH") == 0) {
+        methods["terminator"] = "none";
+    }
     return methods;
 }
 
@@ -154,6 +162,7 @@ bool matters(const std::string &kind, const SceneNeeds &needs) {
         {"box", in_a_tree},
         {"walk", in_a_tree},
         {"origin", has("HAS_LIGHTS") || bounces},
+        {"terminator", has("HAS_SMOOTH_MESH")},
         {"fresnel", glass},
         {"interior", glass && has("HAS_SPHERES")},
         {"transmission", glass},
@@ -187,6 +196,10 @@ std::string options_of(const Methods &methods) {
         }
     }
     return options;
+}
+
+bool has_smooth_shadows(const Methods &methods) {
+    return choice(methods, "terminator") != "none";
 }
 
 int cutoff_of(const Methods &methods) {

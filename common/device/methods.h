@@ -36,7 +36,8 @@ std::vector<Method> methods_of(int stage);
 // What was chosen, by kind; a kind that is missing stands for its default.
 using Methods = std::map<std::string, std::string>;
 
-// What kernel_source takes for a scene: a scene without textures has nothing to filter.
+// What kernel_source takes for a scene: one without textures has nothing to filter, and one without
+// a smooth mesh no terminator.
 Methods files_of(Methods methods, const SceneNeeds &needs);
 
 // The name that was chosen for a kind, or its default at `stage`.
@@ -55,6 +56,9 @@ bool matters(const std::string &kind, const SceneNeeds &needs);
 
 // What kernels are built with for the chosen methods.
 std::string options_of(const Methods &methods);
+
+// Whether light ends on a smooth mesh otherwise than on its facets (kind "terminator").
+bool has_smooth_shadows(const Methods &methods);
 
 // Rays are cut off that carry less than one part in so many of a pixel; 0 for none (kind "depth").
 int cutoff_of(const Methods &methods);

@@ -2,9 +2,11 @@
 #include "device/scene_needs.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace stagelight {
 namespace {
@@ -53,7 +55,31 @@ bool has_dielectric_mesh(const Scene &scene) {
         scene, [](const Material &material) { return material.type == MaterialType::dielectric; });
 }
 
-void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int cutoff) {
+// Whether a corner's normal is off its facet's, by more than a file's rounding may put it off.
+bool is_smooth(const Scene &scene, const Triangle &triangle) {
+    constexpr double largest_sine = 1e-4;
+    const auto corner = [&](std::size_t i) -> const Vertex & {
+        return scene.vertices[triangle.vertices[i]];
+    };
+    const glm::dvec3 facing = glm::cross(corner(1).position - corner(0).position,
+                                         corner(2).position - corner(0).position);
+    return std::ranges::any_of(std::array{0, 1, 2}, [&](std::size_t i) {
+        return glm::length(glm::cross(corner(i).normal, facing))
+               > largest_sine * glm::length(facing);
+    });
+}
+
+// Whether light meets a mesh that stands for something smooth.
+bool has_smooth_mesh(const Scene &scene) {
+    return std::ranges::any_of(scene.triangles, [&](const Triangle &triangle) {
+        const MaterialType type = scene.materials[static_cast<std::size_t>(triangle.material)].type;
+        return (type == MaterialType::diffuse || type == MaterialType::glossy)
+               && is_smooth(scene, triangle);
+    });
+}
+
+void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int cutoff,
+                       bool smooth_shadows) {
     const std::set<int> used = used_materials(scene);
     const auto uses = [&](MaterialType type) {
         return std::ranges::any_of(used, [&](int index) {
@@ -74,6 +100,7 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     needs.emplace_back("HAS_REFLECTION", reflection);
     needs.emplace_back("HAS_DIELECTRIC", dielectric);
     needs.emplace_back("HAS_DIELECTRIC_MESH", has_dielectric_mesh(scene));
+    needs.emplace_back("HAS_SMOOTH_MESH", lit && smooth_shadows && has_smooth_mesh(scene));
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
@@ -118,15 +145,26 @@ int value_of(const SceneNeeds &needs, const std::string &name) {
 
 std::string definitions_of(const SceneNeeds &needs) {
     constexpr std::pair<const char *, int> smallest[] = {
-        {"HAS_SPHERES", 0},         {"HAS_PLANES", 0},
-        {"HAS_TRIANGLES", 0},       {"HAS_TREE", 0},
-        {"HAS_MATERIALS", 0},       {"HAS_LIGHTS", 0},
-        {"HAS_POINT_LIGHT", 0},     {"HAS_DIRECTIONAL_LIGHT", 0},
-        {"HAS_REFLECTION", 0},      {"HAS_DIELECTRIC", 0},
-        {"HAS_DIELECTRIC_MESH", 0}, {"HAS_MEDIA", 0},
-        {"HAS_TEXTURES", 0},        {"HAS_MESH_TEXTURES", 0},
-        {"MAX_DEPTH", 0},           {"CUTOFF_ONE_IN", 0},
-        {"STACK_SIZE", 1},          {"WIDTH", 1},
+        {"HAS_SPHERES", 0},
+        {"HAS_PLANES", 0},
+        {"HAS_TRIANGLES", 0},
+        {"HAS_TREE", 0},
+        {"HAS_MATERIALS", 0},
+        {"HAS_LIGHTS", 0},
+        {"HAS_POINT_LIGHT", 0},
+        {"HAS_DIRECTIONAL_LIGHT", 0},
+        {"HAS_REFLECTION", 0},
+        {"HAS_DIELECTRIC", 0},
+        {"HAS_DIELECTRIC_MESH", 0},
+        {"HAS_MEDIA", 0},
+        {"HAS_SMOOTH_MESH", 0},
+        {"HAS_TEXTURES", 0},
+        {"HAS_MESH_TEXTURES", 0},
+        // These are numbers, not a yes or no.
+        {"MAX_DEPTH", 0},
+        {"CUTOFF_ONE_IN", 0},
+        {"STACK_SIZE", 1},
+        {"WIDTH", 1},
         {"BVH_STACK_SIZE", 1},
     };
     std::string definitions;
@@ -136,13 +174,14 @@ std::string definitions_of(const SceneNeeds &needs) {
     return definitions;
 }
 
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff) {
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff, bool smooth_shadows) {
     SceneNeeds needs;
     needs.emplace_back("HAS_SPHERES", !scene.spheres.empty());
     needs.emplace_back("HAS_PLANES", !scene.planes.empty());
     needs.emplace_back("HAS_TRIANGLES", !scene.triangles.empty());
     if (stage > 1) {
-        add_shading_needs(needs, scene, max_depth, stage >= cutoff_stage ? cutoff : 0);
+        const bool is_full = stage >= cutoff_stage;
+        add_shading_needs(needs, scene, max_depth, is_full ? cutoff : 0, is_full && smooth_shadows);
     }
     std::erase_if(needs, [](const auto &need) {
         return need.second == 0 && need.first != "MAX_DEPTH";  // a limit, not a count

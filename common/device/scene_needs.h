@@ -29,8 +29,9 @@ using SceneNeeds = std::vector<std::pair<std::string, int>>;
 
 // `stage` is the number of the stage that draws: 01 knows neither materials nor lights. Where the
 // stage has that, rays are cut off that carry less than one part in `cutoff` of a pixel; none is at
-// 0.
-SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff = cutoff_one_in);
+// 0. And with `smooth_shadows` a smooth mesh gets light as what it stands for does.
+SceneNeeds needs_of(const Scene &scene, int stage, int max_depth, int cutoff = cutoff_one_in,
+                    bool smooth_shadows = true);
 
 // 0 for what is not among them.
 int value_of(const SceneNeeds &needs, const std::string &name);

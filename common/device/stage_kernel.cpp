@@ -94,7 +94,8 @@ StageKernel::StageKernel(const cl::Context &context, const cl::Device &device,
                          const std::string &stage, const Scene &scene,
                          const RenderSettings &settings, Picture picture)
     : context_(context),
-      needs_(needs_of(scene, stage_number(stage), settings.max_depth, cutoff_of(settings.methods))),
+      needs_(needs_of(scene, stage_number(stage), settings.max_depth, cutoff_of(settings.methods),
+                      has_smooth_shadows(settings.methods))),
       media_(scene, settings.eye_moves), samples_(settings.samples),
       is_double_(is_double(settings.methods)) {
     const int number = stage_number(stage);

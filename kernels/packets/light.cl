@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 10: the light that WIDTH surfaces get straight from the lights.
+// Introduced by stage 10; extended by 11 (smooth meshes): the light that WIDTH surfaces get straight from the
+// lights.
 #include "light.cl"
 #include "packets/surface.cl"
+#include "packets/terminator/hanika.cl"
 
 // #region wide_light_at
 typedef struct WideIllumination {
@@ -64,7 +66,10 @@ static void add_direct_light(const Scene *scene, const WideSurfaces *surfaces, c
             }
             const WideSurfaces *surface = &surfaces[packet];
             const WideIllumination illumination = wide_light_at(light, surface->position);
-            const Wide cosine = wide_dot(surface->normal, illumination.direction);
+            Wide cosine = wide_dot(surface->normal, illumination.direction);
+            if (HAS_SMOOTH_MESH) {
+                cosine *= wide_shadowing(surface, illumination.direction, cosine);
+            }
             const WideInt faces = lit[packet] & (cosine > 0.0f);
             shares[packet] = cosine * illumination.share;
             rays[packet] = shadow_rays_to(light, surface, illumination.direction, faces);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 10: Whitted's ray tracing of all pixels of a work-item. Their rays go through the
-// scene together; what the material of each does is the lesson of the stages before.
+// Introduced by stage 10; extended by 11 (smooth meshes): Whitted's ray tracing of all pixels of a work-item.
+// Their rays go through the scene together; what the material of each does is the lesson of the stages before.
 #include "shade.cl"
+#include "terminator/hanika.cl"
 #include "packets/light.cl"
 
 // #region wide_hits
@@ -111,8 +112,14 @@ static void shade_packet(const Scene *scene, const WideRays *rays, const WideHit
             const Surface surface = get_surface(&surface_lanes, lane);
             lit_lanes.lane[lane] = shade(scene, &pending, hit, &surface, &weight, &stacks[lane % BOUNCE_LANES],
                                          &counts[lane % BOUNCE_LANES], textures);
+            if (HAS_SMOOTH_MESH && hit.shape == SHAPE_TRIANGLE) {
+                put_lane(&surface_lanes.position, lane, surface.position + lift_off_facet(scene, &surface, hit));
+            }
         }
         put_lane(&weight_lanes, lane, weight);
+    }
+    if (HAS_SMOOTH_MESH) {
+        surfaces->position = load_lanes(&surface_lanes.position);
     }
     *lit = lit_lanes.wide != 0;
     *weights = load_lanes(&weight_lanes);

@@ -88,6 +88,7 @@ TEST_F(Stage11Needs, AreToldWithWhatTheyDisable) {
                               {"textures", "no material has a texture"},
                               {"texture coordinates of vertices", "no mesh has a texture"},
                               {"smooth glass", "no mesh is dielectric"},
+                              {"smooth shadows", "no smooth mesh is lit, or terminator=none"},
                               {"branch on the type of light", "all lights are of one type"},
                               {"stack", "no ray splits in two: it has one place"}}));
     expect_part(said(), "not in the kernel, as this scene needs none: mirrors, refraction, "

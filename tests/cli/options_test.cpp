@@ -75,7 +75,8 @@ TEST_P(EveryStage, ListsItsMethods) {
                                               {"encode=2.2 ", "08"},
                                               {"triangle=woop ", "09"},
                                               {"width=16 ", "10"},
-                                              {"fresnel=exact ", "11"}}) {
+                                              {"fresnel=exact ", "11"},
+                                              {"terminator=hanika ", "11"}}) {
         EXPECT_EQ(outcome.out.find(method) != std::string::npos, GetParam() >= first_stage)
             << method;
     }

@@ -51,6 +51,8 @@ const std::vector<Case> cases{
     {"09_tree", {{"triangle", "threshold"}}},
     {"11_full_tracer", {{"depth", "fixed"}}},
     {"11_full_tracer", {{"depth", "coarse"}}, 0.000698},
+    {"11_full_tracer", {{"terminator", "none"}}},
+    {"11_full_tracer", {{"terminator", "chiang"}}},
     {"10_packets", {{"sphere", "geometric"}}},
     {"10_packets",
      {{"sphere", "geometric"},

@@ -46,6 +46,13 @@ bool filters_coarsely(const std::string &scene, const std::string &device) {
     return error->second > few_bits;
 }
 
+reference::Terminator terminator_of(int stage, const Methods &methods) {
+    const std::string name = choice(methods, "terminator");
+    return stage < cutoff_stage || name == "none" ? reference::Terminator::none
+           : name == "chiang"                     ? reference::Terminator::chiang
+                                                  : reference::Terminator::hanika;
+}
+
 }  // namespace
 
 std::vector<GoldenScene> all_scenes() {
@@ -88,6 +95,7 @@ reference::Settings reference_settings(const std::string &stage, const Scene &sc
                                                                : reference::Interior::full,
             .fresnel = choice(methods, "fresnel") == "exact" ? reference::Fresnel::exact
                                                              : reference::Fresnel::schlick,
+            .terminator = terminator_of(number, methods),
             .decode = decode_of(number, methods)};
 }
 

@@ -67,7 +67,9 @@ std::vector<JudgedScene> judged_scenes() {
 Verdict judge(const JudgedScene &judged, const std::filesystem::path &folder) {
     const Scene scene = scene_in_common(judged.file);
     const int number = stage_number(judged.stage);
-    RenderSettings settings = bench::settings_of(judged.stage, scene, {{"fresnel", "exact"}});
+    // As POV-Ray has it: Fresnel's own equations, and shadows of facets.
+    RenderSettings settings =
+        bench::settings_of(judged.stage, scene, {{"fresnel", "exact"}, {"terminator", "none"}});
     settings.width = judged.width;
     settings.height = judged.height;
     const std::filesystem::path file = folder / (judged.name + ".pov");

@@ -58,13 +58,14 @@ bool race_embree(const cl::Device &device, const std::string &name, const Scene 
     const EmbreeScene medium = build_embree(scene, RTC_BUILD_QUALITY_MEDIUM, medium_build);
     const EmbreeTracer high_tracer(scene, high);
     const EmbreeTracer medium_tracer(scene, medium);
-    Renderer renderer(device, full_tracer(), scene, settings_of(full_tracer(), scene));
+    // EmbreeTracer's shadows are those of facets.
+    const RenderSettings settings = settings_of(full_tracer(), scene, {{"terminator", "none"}});
+    Renderer renderer(device, full_tracer(), scene, settings);
 
     say(name + ": the reference, to hold all pictures to");
     std::vector<Contestant> contestants =
         contestants_of(renderer, high_tracer, medium_tracer, workers);
-    if (!agree(contestants,
-               reference_of(full_tracer(), scene, settings_of(full_tracer(), scene)))) {
+    if (!agree(contestants, reference_of(full_tracer(), scene, settings))) {
         return false;
     }
     say(fmt::format("{}: {} rounds", name, rounds));

@@ -26,12 +26,13 @@ constexpr int height = 480;
 // meshes, where all is edges, that is not the same.
 constexpr Agreement agreement{.edges = 3e-2, .mean_signed_error = 3e-3};
 
-// POV-Ray has Fresnel's own equations, where the stage knows them.
+// POV-Ray has Fresnel's own equations, and shadows of facets, where the stage knows others.
 Methods methods_in_common(const std::string &stage) {
-    const std::vector<Method> methods = methods_of(stage_number(stage));
-    return std::ranges::find(methods, "fresnel", &Method::kind) == methods.end()
-               ? Methods()
-               : Methods{{"fresnel", "exact"}};
+    Methods methods{{"fresnel", "exact"}, {"terminator", "none"}};
+    std::erase_if(methods, [known = methods_of(stage_number(stage))](const auto &method) {
+        return std::ranges::find(known, method.first, &Method::kind) == known.end();
+    });
+    return methods;
 }
 
 RenderSettings settings_for(const std::string &stage, const Scene &scene) {
