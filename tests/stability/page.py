@@ -36,6 +36,8 @@ GALLERY = [
      "The colour of glass comes from the way through it."),
     ("Mirrors cut short", "03_mirrors.toml", ["--depth", "2"], "What needs a third bounce is black."),
     ("Texels by the wrong curve", "08_decode.toml", ["--method", "decode=2.2"], "Wrong in the dark."),
+    ("Shadows of facets", "failures/shadow_terminator.toml", ["--method", "terminator=none"],
+     "Where the normals still face the light and the facet does not, the mesh shadows itself."),
 ]
 
 
@@ -44,7 +46,7 @@ def read_sweeps(folder):
     for file in sorted(folder.glob("*.json")):
         sweep = json.loads(file.read_text(encoding="utf-8"))
         sweeps.setdefault(sweep["name"], {})[sweep["device"]] = sweep
-    order = ["sphere", "triangle", "box", "origin", "fresnel", "refraction", "interior", "transmission", "sphere_map",
+    order = ["sphere", "triangle", "box", "origin", "terminator", "fresnel", "refraction", "interior", "transmission", "sphere_map",
              "filtering", "decode", "encode", "light", "depth", "normals", "normalise", "math"]
     kind = lambda name: next(iter(sweeps[name].values()))["kind"]  # noqa: E731
     return {name: sweeps[name] for name in sorted(sweeps, key=lambda n: (
