@@ -147,7 +147,7 @@ int smooth(const Scene &scene, int stage = 11, const char *method = "hanika") {
                     "HAS_SMOOTH_MESH");
 }
 
-// Where no light meets a smooth mesh, or facets are what is wanted, the kernel has nothing of it.
+// The kernel has nothing of it where no light meets a smooth mesh, or the method is none.
 TEST(Stage11SmoothMesh, IsANeedOfScenesThatHaveOne) {
     EXPECT_EQ(smooth(coarse_ball(rows)), 1);
     EXPECT_EQ(smooth(coarse_ball(rows), 11, "chiang"), 1);
