@@ -17,8 +17,8 @@ Number cosine_towards(const Hit<Number> &hit, const Vec<Number> &light, Terminat
         return cosine;
     const Number of_facet = glm::dot(hit.geometric_normal, light);
     const Number between = glm::dot(hit.geometric_normal, hit.shading_normal);
-    const Number G = std::clamp(of_facet / (cosine * between), Number(0), Number(1));
-    return cosine * (-std::pow(G, Number(3)) + std::pow(G, Number(2)) + G);
+    const Number g = std::clamp(of_facet / (cosine * between), Number(0), Number(1));
+    return cosine * (-std::pow(g, Number(3)) + std::pow(g, Number(2)) + g);
 }
 
 // Asks for a line to a point light, for a ray towards a directional one.

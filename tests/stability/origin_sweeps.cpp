@@ -9,6 +9,7 @@
 #include "reference/reference.h"
 #include "render/moved.h"
 #include "render/on_each_device.h"
+#include "scene/large_triangles.h"
 #include "stability/sweep.h"
 
 namespace stagelight::stability {
@@ -182,6 +183,58 @@ TEST_P(StabilityStage11Origin, DarkGap) {
     sweep.expect_holds("error_bound", 1e6);
     sweep.expect_fails("scaled", 1e6);
     sweep.expect_fails("fixed", 1e4);
+}
+
+// A coin of 0.05, just off a ground that reaches as far as `reach` on every side.
+Scene coin_on_ground(double reach, const Material &of_ground) {
+    Scene scene = render::one_pixel({0, 1.5, 2}, {0, 0, 0});
+    scene.width = 64;
+    scene.height = 40;
+    scene.background = dvec3(0.5, 0.75, 1);
+    const int ground = reference::add_material(scene, of_ground);
+    const dvec3 left(-reach, 0, -reach), right(reach, 0, -reach), near(reach, 0, reach),
+        far(-reach, 0, reach);
+    reference::add_triangle(scene, near, right, left, ground);
+    reference::add_triangle(scene, far, near, left, ground);
+    const int red = reference::add_material(scene, reference::diffuse({1, 0.25, 0.125}));
+    reference::add_box(scene, {-0.5, 0.001, -0.5}, {0.5, 0.05, 0.5}, red);
+    reference::add_directional_light(scene, {-1, -0.5, 0.25}, dvec3(1), 1);
+    scene = rounded(scene);
+    cut_large_triangles(scene);
+    return scene;
+}
+
+// Beside the picture of a small ground, since an edge's pixels are what counts here. The horizon is
+// out of sight.
+TEST_P(StabilityStage11Origin, ACoinOnALargeGround) {
+    const auto drawn = [&](double reach, const Material &ground, const char *method) {
+        const Scene scene = coin_on_ground(reach, ground);
+        RenderSettings settings = render::settings_of(scene);
+        settings.methods = {{"width", "1"}, {"origin", method}};
+        return renderer(stage(), scene, settings).render().image.pixels;
+    };
+    const char *const mirrors[] = {"origin_ground", "origin_mirror_ground"};
+    for (const char *name : mirrors) {
+        const bool is_mirror = name == mirrors[1];
+        const Material ground =
+            is_mirror ? reference::mirror(dvec3(0.75)) : reference::diffuse(dvec3(0.75));
+        Sweep sweep(about(name, is_mirror ? "A coin on a large mirror" : "A coin on a large ground",
+                          "size of the ground", "to a ground of 2e6 coins"),
+                    GetParam());
+        const auto truth = drawn(10, ground, "error_bound");
+        for (const int power : {2, 3, 4, 5, 6}) {
+            const double reach = std::pow(10, power);
+            for (const char *method : methods) {
+                const auto pixels = drawn(reach, ground, method);
+                double wrong = 0;
+                for (std::size_t i = 0; i < pixels.size(); ++i) {
+                    wrong += glm::distance(pixels[i], truth[i]) > 0.02 ? 1 : 0;
+                }
+                sweep.add(method, reach, wrong / double(pixels.size()));
+            }
+        }
+        sweep.expect_holds("error_bound", 1e6);
+    }
 }
 
 // A light at `height` above a floor, or above the ball on it, seen from as near; half-way to it a
