@@ -34,6 +34,13 @@ struct Surface {
     bool is_solid;
 };
 
+// Of a cut-out, what is behind is seen through it.
+bool is_solid_at(const Scene &scene, const ContactParts &parts, std::uint32_t triangle) {
+    const int material = scene.triangles[triangle].material;
+    return parts.is_closed(parts.part(triangle))
+           && !has_cutout(scene.materials[static_cast<std::size_t>(material)]);
+}
+
 Surface earlier_of(const Scene &scene, const ContactParts &parts, const Touch &touch) {
     if (touch.plane >= 0) {
         const Plane &plane = scene.planes[static_cast<std::size_t>(touch.plane)];
@@ -42,7 +49,7 @@ Surface earlier_of(const Scene &scene, const ContactParts &parts, const Touch &t
     const Triangle &triangle = scene.triangles[touch.earlier];
     const FlatFace face(scene, triangle);
     return {face.normal, face.corners[0], triangle.material, false,
-            parts.is_closed(parts.part(touch.earlier))};
+            is_solid_at(scene, parts, touch.earlier)};
 }
 
 }  // namespace
@@ -65,7 +72,7 @@ std::optional<glm::dvec3> side_of_later(const Scene &scene, const ContactParts &
     if (is_one_part || glm::dot(later.normal, earlier.normal) > 0) {
         return later.normal;
     }
-    const bool is_solid = parts.is_closed(parts.part(touch.later));
+    const bool is_solid = is_solid_at(scene, parts, touch.later);
     const auto is_seen = [&](const glm::dvec3 &normal) {
         return glm::dot(normal, scene.camera.position - earlier.point) > 0;
     };

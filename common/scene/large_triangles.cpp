@@ -213,7 +213,8 @@ private:
             const Vertex &a = scene_.vertices[one], &b = scene_.vertices[other];
             scene_.vertices.push_back({0.5 * (a.position + b.position),
                                        0.5 * (a.normal + b.normal),  // as long as it comes
-                                       0.5 * (a.texture_coordinates + b.texture_coordinates)});
+                                       0.5 * (a.texture_coordinates + b.texture_coordinates),
+                                       0.5 * (a.color + b.color)});
         }
         return place->second;
     }

@@ -22,12 +22,34 @@ MaterialType type_named(std::string_view name) {
                                   : MaterialType::diffuse;
 }
 
+Wrap wrap_named(std::string_view name) {
+    return name == "clamp" ? Wrap::clamp : name == "mirror" ? Wrap::mirror : Wrap::repeat;
+}
+
+Wraps wraps_of(const TableReader &table) {
+    if (!table.has("wrap")) {
+        return {};
+    }
+    const auto [u, v] = table.two_choices("wrap", {"repeat", "clamp", "mirror"});
+    return {wrap_named(u), wrap_named(v)};
+}
+
+// Of a key that says something of it.
+void require_texture(const TableReader &table, std::string_view key) {
+    if (table.has(key) && !table.has("texture")) {
+        throw UserError(fmt::format("{}: {} without a texture, expected a texture beside it",
+                                    to_string(table.where(key)), key));
+    }
+}
+
 // All but the texture.
 Material read_material(const TableReader &table) {
-    table.refuse_unknown(
-        {"type", "color", "texture", "specularity", "ior", "absorption", "priority"});
+    table.refuse_unknown({"type", "color", "texture", "wrap", "alpha_cutoff", "specularity", "ior",
+                          "absorption", "priority"});
     const std::string type = table.choice("type", {"diffuse", "mirror", "glossy", "dielectric"});
     table.refuse_unless({"diffuse", "mirror", "glossy"}, type, "texture");
+    table.refuse_unless({"diffuse", "mirror", "glossy"}, type, "wrap");
+    table.refuse_unless({"diffuse", "mirror", "glossy"}, type, "alpha_cutoff");
     table.refuse_unless({"glossy"}, type, "specularity");
     table.refuse_unless({"dielectric"}, type, "ior");
     table.refuse_unless({"dielectric"}, type, "absorption");
@@ -35,6 +57,10 @@ Material read_material(const TableReader &table) {
     Material material;
     material.type = type_named(type);
     material.color = table.vector("color", share, material.color);
+    for (const std::string_view key : {"wrap", "alpha_cutoff"}) {
+        require_texture(table, key);
+    }
+    material.alpha_cutoff = table.number("alpha_cutoff", share, material.alpha_cutoff);
     material.specularity = table.number("specularity", share, material.specularity);
     material.ior = table.number("ior", positive, material.ior);
     material.absorption = table.vector("absorption", not_negative, material.absorption);
@@ -50,13 +76,23 @@ MaterialTable::MaterialTable(Scene &scene, const TableReader &root) : scene_(&sc
         materials_.emplace(name, Named{static_cast<int>(scene.materials.size()), table});
         scene.materials.push_back(read_material(table));
         if (table.has("texture")) {
-            table.text("texture");  // a string even where no shape uses it
+            table.text("texture");  // what it must be even where no shape uses it
+            wraps_of(table);
         }
     }
 }
 
 int MaterialTable::of_shape(const TableReader &shape) {
     return shape.has("material") ? textured(named(shape)) : plain_white();
+}
+
+int MaterialTable::of_sphere(const TableReader &sphere) {
+    if (sphere.has("material") && named(sphere).table.has("alpha_cutoff")) {
+        throw UserError(fmt::format("{}: material '{}' has an alpha_cutoff, expected one without: "
+                                    "only meshes are cut out",
+                                    to_string(sphere.where("material")), sphere.text("material")));
+    }
+    return of_shape(sphere);
 }
 
 int MaterialTable::of_plane(const TableReader &plane) {
@@ -89,7 +125,7 @@ int MaterialTable::textured(const Named &material) {
     if (used.texture == no_texture && material.table.has("texture")) {
         used.texture =
             load_texture(scene_->textures, asset_of(material.table, "texture", scene_->file),
-                         material.table.where("texture"));
+                         material.table.where("texture"), wraps_of(material.table));
     }
     return material.index;
 }

@@ -20,7 +20,9 @@ public:
     // The index of the material that a shape's table names, else of a plain white
     // diffuse one. Its texture is loaded when the first shape uses it.
     int of_shape(const TableReader &shape);
-    // The same for a plane, which has no coordinates for a texture.
+    // The same for a sphere, which nothing is cut out of.
+    int of_sphere(const TableReader &sphere);
+    // And for a plane, which has no coordinates for a texture either.
     int of_plane(const TableReader &plane);
 
 private:

@@ -15,10 +15,11 @@ namespace {
 
 class Notes {
 public:
-    void add(const char *what, int first_stage, const SourceLocation &where) {
+    void add(const char *what, int first_stage, const SourceLocation &where,
+             bool is_optional = false) {
         const auto noted = std::ranges::find(features_, what, &RequiredFeature::what);
         if (noted == features_.end()) {
-            features_.push_back({what, first_stage, where});
+            features_.push_back({what, first_stage, where, is_optional});
         } else if (std::tie(where.line, where.column)
                    < std::tie(noted->where.line, noted->where.column)) {
             noted->where = where;
@@ -53,7 +54,14 @@ void add_type(Notes &notes, const Material &material) {
 void add_material(Notes &notes, const Scene &scene, const Material &material) {
     add_type(notes, material);
     if (material.texture != no_texture) {
-        notes.add("texture", 6, scene.textures[static_cast<std::size_t>(material.texture)].where);
+        const Texture &texture = scene.textures[static_cast<std::size_t>(material.texture)];
+        notes.add("texture", 6, texture.where);
+        if (texture.wrap_u != Wrap::repeat || texture.wrap_v != Wrap::repeat) {
+            notes.add("clamped or mirrored texture", 6, texture.where);
+        }
+    }
+    if (has_cutout(material)) {
+        notes.add("cut-out", 6, material.where);
     }
 }
 
@@ -72,6 +80,12 @@ void add_shapes(Notes &notes, const Scene &scene, std::vector<bool> &used) {
     }
     for (const Triangle &triangle : scene.triangles) {
         use(triangle.material);
+        if (std::ranges::any_of(triangle.vertices, [&](std::uint32_t vertex) {
+                return scene.vertices[vertex].color != glm::dvec3(1);
+            })) {
+            notes.add("mesh with colours of vertices", 6,
+                      scene.meshes[static_cast<std::size_t>(triangle.mesh)].where, true);
+        }
         if (scene.materials[static_cast<std::size_t>(triangle.material)].type
             == MaterialType::dielectric) {
             notes.add("dielectric mesh", 11,
@@ -98,7 +112,8 @@ std::vector<RequiredFeature> required_features(const Scene &scene) {
 }
 
 void require_supported(const Scene &scene, int stage) {
-    const std::vector<RequiredFeature> features = required_features(scene);
+    std::vector<RequiredFeature> features = required_features(scene);
+    std::erase_if(features, [](const RequiredFeature &feature) { return feature.is_optional; });
     if (features.empty() || features.back().first_stage <= stage) {
         return;
     }
@@ -106,6 +121,23 @@ void require_supported(const Scene &scene, int stage) {
     throw UserError(fmt::format(
         "{}: a {}: unsupported by {}; {} is the first stage that can draw it",
         to_string(last.where), last.what, stage_name(stage), stage_name(last.first_stage)));
+}
+
+std::vector<std::string> take_out_unsupported(Scene &scene, int stage) {
+    std::vector<std::string> lines;
+    for (const RequiredFeature &feature : required_features(scene)) {
+        if (feature.is_optional && feature.first_stage > stage) {
+            lines.push_back(
+                fmt::format("{}: a {}: drawn without them by {}; {} is the first stage that "
+                            "has them",
+                            to_string(feature.where), feature.what, stage_name(stage),
+                            stage_name(feature.first_stage)));
+            for (Vertex &vertex : scene.vertices) {
+                vertex.color = glm::dvec3(1);  // the only one that is optional
+            }
+        }
+    }
+    return lines;
 }
 
 }  // namespace stagelight

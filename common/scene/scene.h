@@ -4,6 +4,7 @@
 // colours linear, angles in degrees.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -50,6 +51,12 @@ struct Material {
     double alpha_cutoff = 0;         // where the texture's alpha is less, a triangle is not there
     SourceLocation where;
 };
+
+// Whether a texture cuts triangles of that material out. Glass is whole: it bounds a volume.
+inline bool has_cutout(const Material &material) {
+    return material.alpha_cutoff > 0 && material.texture != no_texture
+           && material.type != MaterialType::dielectric;
+}
 
 struct Sphere {
     glm::dvec3 center{0, 0, 0};
@@ -129,5 +136,11 @@ struct Scene {
     std::vector<Texture> textures;      // each file and way to wrap it once
     std::vector<std::string> warnings;  // about what was loaded, one line each
 };
+
+// Whether any vertex has a colour other than white.
+inline bool has_vertex_colors(const Scene &scene) {
+    return std::ranges::any_of(scene.vertices,
+                               [](const Vertex &vertex) { return vertex.color != glm::dvec3(1); });
+}
 
 }  // namespace stagelight

@@ -87,7 +87,7 @@ Sphere read_sphere(const TableReader &table, MaterialTable &materials) {
     table.refuse_unknown({"center", "radius", "material"});
     return {.center = table.vector("center", any_number),
             .radius = table.number("radius", positive),
-            .material = materials.of_shape(table),
+            .material = materials.of_sphere(table),
             .where = table.where()};
 }
 

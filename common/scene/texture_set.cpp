@@ -42,25 +42,31 @@ Texture read_file(const fs::path &canonical, const fs::path &file, const SourceL
 }  // namespace
 
 int texture_once(std::vector<Texture> &textures, const fs::path &name,
-                 const std::function<Texture()> &read) {
-    const auto known = std::find_if(textures.begin(), textures.end(),
-                                    [&](const Texture &texture) { return texture.file == name; });
+                 const std::function<Texture()> &read, Wraps wraps) {
+    const auto known = std::ranges::find_if(textures, [&](const Texture &texture) {
+        return texture.file == name && texture.wrap_u == wraps.u && texture.wrap_v == wraps.v;
+    });
     const auto index = static_cast<int>(known - textures.begin());
     if (known == textures.end()) {
-        textures.push_back(read());
+        const auto same_file = std::ranges::find(textures, name, &Texture::file);
+        Texture texture = same_file == textures.end() ? read() : *same_file;
+        texture.wrap_u = wraps.u;
+        texture.wrap_v = wraps.v;
+        textures.push_back(std::move(texture));
     }
     return index;
 }
 
-int load_texture(std::vector<Texture> &textures, const fs::path &file,
-                 const SourceLocation &where) {
+int load_texture(std::vector<Texture> &textures, const fs::path &file, const SourceLocation &where,
+                 Wraps wraps) {
     std::error_code error;
     const fs::path canonical = fs::canonical(file, error);
     if (error || !fs::is_regular_file(canonical, error)) {
         throw UserError(
             fmt::format("{}: no file {}, expected a picture", to_string(where), file.string()));
     }
-    return texture_once(textures, canonical, [&] { return read_file(canonical, file, where); });
+    return texture_once(
+        textures, canonical, [&] { return read_file(canonical, file, where); }, wraps);
 }
 
 }  // namespace stagelight

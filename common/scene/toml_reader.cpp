@@ -164,6 +164,33 @@ std::string TableReader::choice(std::string_view key,
     return name;
 }
 
+std::array<std::string, 2>
+TableReader::two_choices(std::string_view key, const std::vector<std::string_view> &names) const {
+    if (!has_array(key)) {
+        const std::string name = choice(key, names);
+        return {name, name};
+    }
+    const toml::array &array = *(*table_)[key].as_array();
+    const std::string expected = fmt::format("one or two strings of {}", fmt::join(names, ", "));
+    if (array.size() != 2) {
+        fail(array, key, expected);
+    }
+    std::array<std::string, 2> chosen;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string what = fmt::format("{}[{}]", key, i);
+        if (!array[i].is_string()) {
+            fail(array[i], what, expected);
+        }
+        chosen[i] = array[i].as_string()->get();
+        if (std::ranges::find(names, chosen[i]) == names.end()) {
+            throw UserError(fmt::format("{}: unknown {} '{}', {}",
+                                        to_string(located(array[i].source())), what, chosen[i],
+                                        suggest(chosen[i], names)));
+        }
+    }
+    return chosen;
+}
+
 TableReader TableReader::reader_of(const toml::node &node, std::string_view what,
                                    std::string name) const {
     if (!node.is_table()) {

@@ -3,6 +3,7 @@
 // points at it: "file:line:column: what is wrong, what was expected".
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <initializer_list>
 #include <optional>
@@ -47,6 +48,9 @@ public:
     std::string text(std::string_view key) const;
     // One of `names`, required.
     std::string choice(std::string_view key, const std::vector<std::string_view> &names) const;
+    // Two of them, or one that stands for both, required.
+    std::array<std::string, 2> two_choices(std::string_view key,
+                                           const std::vector<std::string_view> &names) const;
 
     // A sub-table; an empty one if there is none.
     TableReader table(std::string_view key) const;

@@ -19,7 +19,8 @@ Scene coin_on_ground(double reach) {
     Scene scene;
     scene.camera.position = {0, 1.5, 2};
     const auto corner = [&](double x, double z) {
-        return Vertex{reach * dvec3(x, 0, z), {0, 1, 0}, {(x + 1) / 2, (z + 1) / 2}};
+        return Vertex{
+            reach * dvec3(x, 0, z), {0, 1, 0}, {(x + 1) / 2, (z + 1) / 2}, {(x + 1) / 2, 1, 0}};
     };
     scene.vertices = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
     scene.triangles = {{.vertices = {3, 2, 1}, .material = 2},
@@ -57,6 +58,7 @@ TEST(LargeTriangles, AreCutWhereSomethingSmallIsNear) {
                 const Vertex &here = scene.vertices[triangle.vertices[i]],
                              &next = scene.vertices[triangle.vertices[(i + 1) % 3]];
                 EXPECT_EQ(here.texture_coordinates.x, (here.position.x / reach + 1) / 2);
+                EXPECT_EQ(here.color, dvec3(here.texture_coordinates.x, 1, 0));
                 EXPECT_EQ(here.normal, dvec3(0, 1, 0));
                 nearest = std::min(nearest, glm::length(here.position));
                 longest = std::max(longest, glm::distance(here.position, next.position));

@@ -117,6 +117,34 @@ TEST(RequiredFeatures, TexturesAreTheSixth) {
     EXPECT_EQ(told(scene).back(), "6 texture a.toml:22:1");
 }
 
+TEST(RequiredFeatures, WrapsAndCutOutsAreTheSixthToo) {
+    Scene scene = triangle_of(MaterialType::diffuse);
+    scene.textures.emplace_back().where = line(22);
+    scene.textures[0].wrap_v = Wrap::clamp;
+    scene.materials[0].texture = 0;
+    scene.materials[0].alpha_cutoff = 0.5;
+    const Lines lines = told(scene);
+    ASSERT_EQ(lines.size(), 5U);
+    EXPECT_EQ(Lines(lines.begin() + 2, lines.end()),
+              (Lines{"6 texture a.toml:22:1", "6 clamped or mirrored texture a.toml:22:1",
+                     "6 cut-out a.toml:20:1"}));
+}
+
+// A stage before 06 draws the mesh in its material's colour, and says so.
+TEST(RequiredFeatures, ColorsOfVerticesCanBeDoneWithout) {
+    Scene scene = triangle_of(MaterialType::diffuse);
+    EXPECT_EQ(take_out_unsupported(scene, 5), Lines{});
+    scene.vertices[1].color = {1, 0.5, 1};
+    EXPECT_EQ(told(scene).back(), "6 mesh with colours of vertices a.toml:6:1");
+    EXPECT_NO_THROW(require_supported(scene, 5));
+    EXPECT_EQ(take_out_unsupported(scene, 6), Lines{});
+    EXPECT_TRUE(has_vertex_colors(scene));
+    EXPECT_EQ(take_out_unsupported(scene, 5),
+              Lines{"a.toml:6:1: a mesh with colours of vertices: drawn without them by 05_meshes; "
+                    "06_textures is the first stage that has them"});
+    EXPECT_FALSE(has_vertex_colors(scene));
+}
+
 TEST(RequiredFeatures, RefractionInMeshesIsTheEleventh) {
     EXPECT_EQ(told(triangle_of(MaterialType::dielectric)),
               (Lines{"4 dielectric material a.toml:20:1", "5 mesh a.toml:6:1",

@@ -305,7 +305,26 @@ const auto materials = testing::Values(
         ":3:1: specularity in [materials.a], which is dielectric: expected only with type glossy"),
     with_material("texture_of_dielectric", "dielectric", "texture = \"a.png\"",
                   ":3:1: texture in [materials.a], which is dielectric: expected only with type "
-                  "diffuse, mirror, glossy"));
+                  "diffuse, mirror, glossy"),
+    with_material("cutoff_of_dielectric", "dielectric", "alpha_cutoff = 0.5",
+                  ":3:1: alpha_cutoff in [materials.a], which is dielectric: expected only with "
+                  "type diffuse, mirror, glossy"),
+    with_material("cutoff_without_texture", "diffuse", "alpha_cutoff = 0.5",
+                  ":3:16: alpha_cutoff without a texture, expected a texture beside it"),
+    with_material("cutoff_above_one", "diffuse", "texture = \"a.png\"\nalpha_cutoff = 1.5",
+                  ":4:16: alpha_cutoff is 1.5, expected a number from 0 to 1"),
+    with_material("wrap_without_texture", "diffuse", "wrap = \"clamp\"",
+                  ":3:8: wrap without a texture, expected a texture beside it"),
+    with_material("wrap_slip", "diffuse", "texture = \"a.png\"\nwrap = \"clam\"",
+                  ":4:8: unknown wrap 'clam', did you mean 'clamp'?"),
+    with_material("wrap_second_slip", "diffuse",
+                  "texture = \"a.png\"\nwrap = [\"clamp\", \"miror\"]",
+                  ":4:18: unknown wrap[1] 'miror', did you mean 'mirror'?"),
+    with_material("wrap_three", "diffuse",
+                  "texture = \"a.png\"\nwrap = [\"clamp\", \"clamp\", \"clamp\"]",
+                  ":4:8: wrap is an array, expected one or two strings of repeat, clamp, mirror"),
+    with_material("wrap_of_number", "diffuse", "texture = \"a.png\"\nwrap = [1, \"clamp\"]",
+                  ":4:9: wrap[0] is 1, expected one or two strings of repeat, clamp, mirror"));
 
 const std::string glass_and_gold =
     "[materials.glass]\ntype = \"dielectric\"\n[materials.gold]\ntype = \"mirror\"\n";
@@ -327,7 +346,12 @@ const auto used_materials = testing::Values(
             "[materials.painted]\ntype = \"diffuse\"\ntexture = \"a.png\"\n"
             "[[planes]]\nnormal = [0, 1, 0]\npoint = [0, 0, 0]\nmaterial = \"painted\"\n",
             ":7:12: material 'painted' has a texture, expected one without: a plane has no "
-            "coordinates for it"});
+            "coordinates for it"},
+    Mistake{"cutoff_of_a_sphere",
+            "[materials.leaf]\ntype = \"diffuse\"\ntexture = \"a.png\"\nalpha_cutoff = 0.5\n"
+                + sphere + "1\nmaterial = \"leaf\"\n",
+            ":8:12: material 'leaf' has an alpha_cutoff, expected one without: only meshes are "
+            "cut out"});
 
 INSTANTIATE_TEST_SUITE_P(Syntax, SceneFileMistake, syntax, name_of);
 INSTANTIATE_TEST_SUITE_P(Key, SceneFileMistake, keys, name_of);

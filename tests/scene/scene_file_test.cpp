@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -284,6 +285,33 @@ material = "a"
 )");
     EXPECT_EQ(scene.textures.size(), 1U);
     EXPECT_EQ(scene.materials.at(0).texture, 0);
+}
+
+// A picture is there once for each way to wrap it.
+TEST_F(SceneFile, WrapsAndCutsOut) {
+    folder.write("red.ppm", red_picture);
+    folder.write("a.obj", triangle);
+    const auto material = [](const char *name, const char *more) {
+        return fmt::format("[materials.{}]\ntype = \"diffuse\"\ntexture = \"red.ppm\"\n{}\n"
+                           "[[meshes]]\nfile = \"a.obj\"\nmaterial = \"{}\"\n",
+                           name, more, name);
+    };
+    const Scene scene =
+        load(material("a", "alpha_cutoff = 0.25") + material("b", "wrap = \"clamp\"")
+             + material("c", "wrap = [\"mirror\", \"clamp\"]") + material("d", "wrap = \"clamp\""));
+    EXPECT_EQ(scene.materials.at(0).alpha_cutoff, 0.25);
+    EXPECT_EQ(scene.materials.at(1).alpha_cutoff, 0);
+    ASSERT_EQ(scene.textures.size(), 3U);
+    const auto wraps = [&](std::size_t material) {
+        const Texture &texture =
+            scene.textures.at(std::size_t(scene.materials.at(material).texture));
+        return std::pair(texture.wrap_u, texture.wrap_v);
+    };
+    EXPECT_EQ(wraps(0), std::pair(Wrap::repeat, Wrap::repeat));
+    EXPECT_EQ(wraps(1), std::pair(Wrap::clamp, Wrap::clamp));
+    EXPECT_EQ(wraps(2), std::pair(Wrap::mirror, Wrap::clamp));
+    EXPECT_EQ(wraps(3), wraps(1));
+    EXPECT_EQ(scene.textures[0].texels, scene.textures[2].texels);
 }
 
 TEST_F(SceneFile, NamesInAnyLanguage) {

@@ -336,6 +336,28 @@ TEST(TextureSet, LoadsEachPictureOnce) {
     EXPECT_EQ(textures.size(), 2U);
 }
 
+// Wrapped another way it is another texture, of the same texels, which are not read again.
+TEST(TextureSet, KeepsAPictureOnceForEachWayToWrapIt) {
+    std::vector<Texture> textures;
+    int reads = 0;
+    const auto index = [&](Wraps wraps) {
+        const auto read = [&] {
+            ++reads;
+            return Texture{
+                .file = "a", .width = 1, .height = 1, .texels = {1, 2, 3, 4}, .where = here};
+        };
+        return texture_once(textures, "a", read, wraps);
+    };
+    EXPECT_EQ(index({}), 0);
+    EXPECT_EQ(index({Wrap::clamp, Wrap::mirror}), 1);
+    EXPECT_EQ(index({Wrap::mirror, Wrap::clamp}), 2);
+    EXPECT_EQ(index({Wrap::clamp, Wrap::mirror}), 1);
+    EXPECT_EQ(index({}), 0);
+    EXPECT_EQ(reads, 1);
+    EXPECT_EQ(textures.at(1).wrap_v, Wrap::mirror);
+    EXPECT_EQ(textures.at(2).texels, textures.at(0).texels);
+}
+
 // One line that says where, which file, what is wrong and what was expected; nothing printed.
 void expect_refusal(const fs::path &file, const std::string &reason) {
     std::vector<Texture> textures;
