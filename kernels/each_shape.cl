@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 01; extended by 02 (any hit) and 05 (triangles): spheres and triangles, each of them tried.
+// Introduced by stage 01; extended by 02 (any hit), 05 (triangles) and 06 (cut-outs): spheres and triangles, each
+// of them tried.
+#include "cutout.cl"
 #include "scene.cl"
 #include "sphere.cl"
 #include "triangle.cl"
@@ -16,6 +18,9 @@ static void closest_shape(const Scene *scene, const Ray ray, Hit *closest) {
     for (int i = 0; i < scene->triangle_count; ++i) {
         float2 barycentric;
         const float distance = intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric);
+        if (HAS_CUTOUTS && distance < closest->distance && is_cut_out(scene, i, barycentric)) {
+            continue;
+        }
         if (keep_closer(closest, distance, SHAPE_TRIANGLE, i)) {
             closest->barycentric = barycentric;
         }
@@ -36,6 +41,9 @@ static bool any_shape_on_ray(const Scene *scene, const Ray ray) {
     for (int i = 0; i < scene->triangle_count; ++i) {
         float2 barycentric;
         if (intersect_ray_triangle(ray, triangle_edges(scene, i), &barycentric) < INFINITY) {
+            if (HAS_CUTOUTS && is_cut_out(scene, i, barycentric)) {
+                continue;
+            }
             return true;
         }
     }
@@ -53,6 +61,9 @@ static bool any_shape_on_line(const Scene *scene, const Line line) {
     // #region line_any_triangle
     for (int i = 0; i < scene->triangle_count; ++i) {
         if (intersect_line_triangle(line, triangle_edges(scene, i))) {
+            if (HAS_CUTOUTS && is_cut_out_on_line(scene, i, line)) {
+                continue;
+            }
             return true;
         }
     }

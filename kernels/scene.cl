@@ -32,6 +32,9 @@ typedef struct Scene {
     __global const Single4 *triangle_corners;  // three a triangle
     __global const Single4 *vertex_normals;
     __global const Single2 *vertex_texture_coordinates;
+    __global const Single4 *vertex_colors;
+    __global const Cutout *cutouts;  // of each material
+    __global const uchar *alphas;    // of the pictures that cut out
     __global const BvhNode *bvh_nodes;
 } Scene;
 // #endregion scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 01; extended by 02 (materials, lights), 03 (types of material), 05
-// (triangles), 09 (a tree), 10 (tiles) and 11 (importance cutoff): the structs that the host fills and
-// the kernels read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its
+// (triangles), 06 (cut-outs), 09 (a tree), 10 (tiles) and 11 (importance cutoff): the structs that the host
+// fills and the kernels read. This file is compiled as C++ and as OpenCL C. float4 only, never float3: its
 // size and alignment are the same everywhere. Lengths in scene units, world space, right-handed, y
 // up; colours linear.
 #ifndef STAGELIGHT_SCENE_TYPES_H
@@ -26,6 +26,8 @@ using float2 = cl_float2;
 using float4 = cl_float4;
 using int2 = cl_int2;
 using uint = cl_uint;
+using ushort2 = cl_ushort2;
+using uchar = cl_uchar;
 #endif
 
 // #region camera
@@ -69,6 +71,9 @@ typedef struct DielectricMaterial {
     uint medium;        // its bit, where dielectrics meet
 } DielectricMaterial;
 
+// What lies beyond the edges of a picture.
+typedef enum WrapType { WRAP_REPEAT, WRAP_CLAMP, WRAP_MIRROR } WrapType;
+
 // A type and what only that type needs (paper, section 2).
 typedef struct Material {
     float4 color;  // linear, [0, 1]; w unused
@@ -76,10 +81,18 @@ typedef struct Material {
         GlossyMaterial glossy;
         DielectricMaterial dielectric;
     } as;
-    float2 texture_size;  // texels, without the border
-    int texture;          // layer of the texture array, -1 for none
-    int type;             // MaterialType
+    ushort2 texture_size;   // texels, without the border
+    ushort2 texture_place;  // of the picture's first texel on its layer
+    short texture;          // layer of the texture array, -1 for none
+    uchar wrap_u, wrap_v;   // WrapType
+    int type;               // MaterialType
 } Material;
+
+// Beside each Material, where a scene has any that is cut out.
+typedef struct Cutout {
+    uint first;    // of its picture's alphas, row by row
+    float cutoff;  // of 255: where the picture's alpha is less, a triangle is not there
+} Cutout;
 // #endregion material
 
 typedef enum LightType { LIGHT_POINT, LIGHT_DIRECTIONAL } LightType;
@@ -159,8 +172,10 @@ static_assert(sizeof(Camera) == 96 && offsetof(Camera, sample) == 64 && offsetof
 static_assert(sizeof(DoubleCamera) == 160 && offsetof(DoubleCamera, sample) == 128
               && offsetof(DoubleCamera, size) == 144 && offsetof(DoubleCamera, media) == 152);
 static_assert(sizeof(Material) == 64 && offsetof(Material, as) == 16 && offsetof(Material, texture_size) == 48
-              && offsetof(Material, texture) == 56 && offsetof(Material, type) == 60
+              && offsetof(Material, texture_place) == 52 && offsetof(Material, texture) == 56
+              && offsetof(Material, wrap_u) == 58 && offsetof(Material, type) == 60
               && offsetof(DielectricMaterial, ior) == 16 && offsetof(DielectricMaterial, medium) == 20);
+static_assert(sizeof(Cutout) == 8 && offsetof(Cutout, cutoff) == 4);
 static_assert(sizeof(Light) == 64 && offsetof(Light, as) == 16 && offsetof(Light, type) == 48
               && offsetof(PointLight, range) == 16);
 static_assert(sizeof(Sphere) == 32 && offsetof(Sphere, radius) == 16 && offsetof(Sphere, material) == 20);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 03; extended by 04 (dielectrics) and 06 (textures): what a material does with
-// the light of a ray that met it.
+// Introduced by stage 03; extended by 04 (dielectrics) and 06 (textures, colours of vertices): what a material
+// does with the light of a ray that met it.
 #include "reflection.cl"
 #include "surface.cl"
 #include "dielectric.cl"
@@ -27,6 +27,9 @@ static bool shade(const Scene *scene, const PendingRay *incoming, const Hit hit,
     float3 weight = incoming->weight * XYZ(material.color);
     if (HAS_TEXTURES) {
         weight *= texture_color(&material, surface->texture_coordinates, textures);
+    }
+    if (HAS_VERTEX_COLORS && hit.shape == SHAPE_TRIANGLE) {
+        weight *= vertex_color(scene, hit);
     }
     // #endregion surface_color
     // #region shade_dielectric

@@ -2,6 +2,7 @@
 // Introduced by stage 09: a tree of boxes, so that a ray tries few of the spheres and triangles. It stands in for
 // each_shape.cl.
 #include "box/robust.cl"
+#include "cutout.cl"
 #include "scene.cl"
 #include "sphere.cl"
 #include "triangle/woop.cl"
@@ -43,6 +44,9 @@ static void try_leaf(const Scene *scene, const Ray ray, const int first, const i
         for (int i = first; i < first + count; ++i) {
             float2 barycentric;
             const float t = intersect_triangle(ray, scene, i, &barycentric);
+            if (HAS_CUTOUTS && t < closest->distance && is_cut_out(scene, i, barycentric)) {
+                continue;
+            }
             closest->barycentric = keep_closer(closest, t, SHAPE_TRIANGLE, i) ? barycentric : closest->barycentric;
         }
     }

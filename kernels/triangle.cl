@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Introduced by stage 05; extended by 06 (textures): where rays and lines meet a
+// Introduced by stage 05; extended by 06 (textures, colours of vertices): where rays and lines meet a
 // triangle, and what is there.
 #include "origin.cl"
 #include "scene.cl"
@@ -66,6 +66,27 @@ static bool intersect_line_triangle(const Line line, const Edges triangle) {
 }
 // #endregion line_triangle
 
+// #region blended_coordinates
+static float2 blended_coordinates(const Scene *scene, const Triangle triangle, const float2 barycentric) {
+    const float b = barycentric.x, c = barycentric.y;
+    const float a = 1.0f - b - c;
+    return a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
+           + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
+           + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
+}
+// #endregion blended_coordinates
+
+// #region vertex_color
+static float3 vertex_color(const Scene *scene, const Hit hit) {
+    const Triangle triangle = scene->triangles[hit.index];
+    const float b = hit.barycentric.x, c = hit.barycentric.y;
+    const float a = 1.0f - b - c;
+    return a * XYZ(scene->vertex_colors[triangle.vertices[0]])
+           + b * XYZ(scene->vertex_colors[triangle.vertices[1]])
+           + c * XYZ(scene->vertex_colors[triangle.vertices[2]]);
+}
+// #endregion vertex_color
+
 // #region triangle_surface
 // The corners' normals are blended by the barycentric coordinates that the intersection found
 // (paper, section 6); the position, which they give too, stays in the plane of the triangle. Both
@@ -93,9 +114,7 @@ static void fetch_triangle(Surface *surface, const Scene *scene, const Hit hit) 
         surface->texture_coordinates = (float2)(0.0f);
     }
     if (HAS_MESH_TEXTURES) {
-        surface->texture_coordinates = a * XY(scene->vertex_texture_coordinates[triangle.vertices[0]])
-                                       + b * XY(scene->vertex_texture_coordinates[triangle.vertices[1]])
-                                       + c * XY(scene->vertex_texture_coordinates[triangle.vertices[2]]);
+        surface->texture_coordinates = blended_coordinates(scene, triangle, hit.barycentric);
     }
     // #endregion mesh_coordinates
 }

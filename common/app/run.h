@@ -14,9 +14,12 @@
 #include "app/startup.h"
 #include "device/device_choice.h"
 #include "device/stage_kernel.h"
+#include "device/texture_fit.h"
 #include "display/viewer.h"
 #include "image/image.h"
+#include "scene/progress.h"
 #include "scene/scene.h"
+#include "scene/stages.h"
 
 namespace stagelight {
 
@@ -55,12 +58,21 @@ struct RunResult {
     DisplayFigures display{};
 };
 
+// So that the device takes the scene's textures.
+inline void fit_textures(Run &run, const cl::Device &device) {
+    const Transfer decode = decode_of(stage_number(run.stage), run.settings.methods);
+    for (const std::string &line : fit_textures(run.scene, texture_limits(device), decode)) {
+        warn(line);
+    }
+}
+
 // What draws, a Renderer or a FramePipeline: `make` makes it of the first of the devices that
 // builds its kernel.
 auto drawer_on_first(const std::vector<cl::Device> &devices, Run &run, const auto &make) {
     std::optional<decltype(make(devices.front()))> drawer;
     first_that_builds(devices, [&](const cl::Device &device) {
         warn_of_width(device, run.settings.methods);
+        fit_textures(run, device);
         drawer.emplace(make(device));
     });
     run.startup.built(drawer->stage_kernel());

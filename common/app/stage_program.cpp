@@ -75,7 +75,11 @@ std::vector<std::string> warnings_of(const Scene &scene) {
 
 Scene scene_of(const Run &run) {
     Scene scene = load_scene(run.options.scene);
-    require_supported(scene, stage_number(run.stage));
+    const int stage = stage_number(run.stage);
+    require_supported(scene, stage);
+    for (const std::string &line : take_out_unsupported(scene, stage)) {
+        warn(line);
+    }
     for (const std::string &line : warnings_of(scene)) {
         warn(line);
     }
@@ -122,6 +126,7 @@ bool choose_by_error(Run &run) {
     RenderSettings &settings = run.settings;
     Budget budget;
     run.devices = {first_that_builds(devices_of(run), [&](const cl::Device &device) {
+        fit_textures(run, device);
         budget = meet_budget(device, run.stage, run.scene, settings,
                              probe_methods(device, run.stage, run.scene, settings), max_error);
     })};

@@ -51,6 +51,7 @@ void add_shapes(Hash &hash, const Scene &scene) {
         hash.add(vertex.normal);
         hash.add(vertex.texture_coordinates.x);
         hash.add(vertex.texture_coordinates.y);
+        hash.add(vertex.color);
     }
     for (const Triangle &triangle : scene.triangles) {
         for (const std::uint32_t vertex : triangle.vertices) {
@@ -69,6 +70,7 @@ void add_looks(Hash &hash, const Scene &scene) {
         hash.add(material.ior);
         hash.add(material.absorption);
         hash.add(material.priority);
+        hash.add(material.alpha_cutoff);
     }
     for (const Light &light : scene.lights) {
         hash.add(static_cast<int>(light.type));
@@ -80,6 +82,8 @@ void add_looks(Hash &hash, const Scene &scene) {
     }
     for (const Texture &texture : scene.textures) {
         hash.add(texture.width);
+        hash.add(static_cast<int>(texture.wrap_u));
+        hash.add(static_cast<int>(texture.wrap_v));
         hash.add(std::string_view(reinterpret_cast<const char *>(texture.texels.data()),
                                   texture.texels.size()));
     }

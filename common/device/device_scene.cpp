@@ -53,21 +53,66 @@ std::array<device::float4, 3> corners_of(const Triangle &triangle, const Scene &
 
 // Media come before the scene's materials, in their order; each is a material of its own, so that
 // a surface has no other number to carry.
-Bytes pack_materials(const Scene &scene, const Media &media) {
+Bytes pack_materials(const Scene &scene, const Media &media, const TexturePages &pages) {
     std::vector<device::Material> materials;
     for (const int material : media.materials()) {
         materials.push_back(
-            to_device(scene.materials[static_cast<std::size_t>(material)], scene.textures));
+            to_device(scene.materials[static_cast<std::size_t>(material)], scene.textures, pages));
         materials.back().as.dielectric.medium = 1U << (materials.size() - 1);
     }
     for (const Material &material : scene.materials) {
-        materials.push_back(to_device(material, scene.textures));
+        materials.push_back(to_device(material, scene.textures, pages));
     }
     return pack(materials, [](const device::Material &material) { return material; });
 }
 
+// By texture, whether a triangle's material is cut out by it.
+std::vector<bool> cutting_textures(const Scene &scene) {
+    std::vector<bool> cutting(scene.textures.size());
+    for (const Triangle &triangle : scene.triangles) {
+        const Material &material = scene.materials[static_cast<std::size_t>(triangle.material)];
+        if (has_cutout(material)) {
+            cutting[static_cast<std::size_t>(material.texture)] = true;
+        }
+    }
+    return cutting;
+}
+
+// In the order of pack_materials.
+Bytes pack_cutouts(const Scene &scene, const Media &media) {
+    const std::vector<bool> cutting = cutting_textures(scene);
+    std::vector<cl_uint> firsts;
+    cl_uint first = 0;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        firsts.push_back(first);
+        first += cutting[i] ? static_cast<cl_uint>(scene.textures[i].texels.size() / 4) : 0;
+    }
+    std::vector<device::Cutout> cutouts(media.materials().size());
+    for (const Material &material : scene.materials) {
+        cutouts.push_back({});
+        const auto texture = static_cast<std::size_t>(material.texture);
+        if (has_cutout(material) && cutting[texture]) {
+            cutouts.back() = {firsts[texture], static_cast<float>(255 * material.alpha_cutoff)};
+        }
+    }
+    return pack(cutouts, [](const device::Cutout &cutout) { return cutout; });
+}
+
+Bytes pack_alphas(const Scene &scene) {
+    const std::vector<bool> cutting = cutting_textures(scene);
+    Bytes alphas;
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        for (std::size_t alpha = 3; cutting[i] && alpha < scene.textures[i].texels.size();
+             alpha += 4) {
+            alphas.push_back(scene.textures[i].texels[alpha]);
+        }
+    }
+    return alphas;
+}
+
 // What the host puts behind each name in kernels/scene.cl.
-Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh, const Media &media) {
+Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh, const Media &media,
+               const TexturePages &pages) {
     const auto with_medium = [&media](const auto &shapes, auto medium_of) {
         return [&media, first = shapes.data(), medium_of](const auto &shape) {
             auto packed = to_device(shape);
@@ -100,7 +145,7 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh, cons
         return pack(bvh.nodes, [](const device::BvhNode &node) { return node; });
     }
     if (name == "materials") {
-        return pack_materials(scene, media);
+        return pack_materials(scene, media, pages);
     }
     if (name == "vertex_normals") {
         return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.normal); });
@@ -110,6 +155,15 @@ Bytes contents(const std::string &name, const Scene &scene, const Bvh &bvh, cons
             return device::float2{{static_cast<float>(v.texture_coordinates.x),
                                    static_cast<float>(v.texture_coordinates.y)}};
         });
+    }
+    if (name == "vertex_colors") {
+        return pack(scene.vertices, [](const Vertex &v) { return to_float4(v.color); });
+    }
+    if (name == "cutouts") {
+        return pack_cutouts(scene, media);
+    }
+    if (name == "alphas") {
+        return pack_alphas(scene);
     }
     return {};
 }
@@ -158,6 +212,8 @@ std::vector<std::string> argument_order(const SceneNeeds &needs, int stage) {
     add(meshes, {"triangles", "triangle_count", "triangle_corners", "vertex_normals"});
     add(tree, {"bvh_nodes"});
     add(has("HAS_MESH_TEXTURES"), {"vertex_texture_coordinates"});
+    add(has("HAS_VERTEX_COLORS"), {"vertex_colors"});
+    add(has("HAS_CUTOUTS"), {"cutouts", "alphas"});
     add(has("HAS_TEXTURES"), {"textures"});
     add(true, {"background"});
     return order;
@@ -191,6 +247,7 @@ std::vector<std::string> argument_names(const cl::Kernel &kernel,
 DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, cl::Kernel &kernel,
                          const std::vector<std::string> &names, const Scene &scene, Transfer decode,
                          const Bvh &bvh, const Media &media) {
+    const TexturePages pages = pages_of(scene, device);
     for (cl_uint i = 0; i < names.size(); ++i) {
         const std::string &name = names[i];
         if (name == "background") {
@@ -201,7 +258,7 @@ DeviceScene::DeviceScene(const cl::Context &context, const cl::Device &device, c
             textures_.emplace(context, device, scene, decode);
             bytes_[name] = textures_->bytes();
             kernel.setArg(i, textures_->image());
-        } else if (Bytes bytes = contents(name, scene, bvh, media); !bytes.empty()) {
+        } else if (Bytes bytes = contents(name, scene, bvh, media, pages); !bytes.empty()) {
             require_room(device, name, bytes.size(), scene);
             bytes_[name] = bytes.size();
             buffers_[name] = cl::Buffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,

@@ -56,14 +56,41 @@ device::Camera to_single(const device::DoubleCamera &camera) {
     return result;
 }
 
-device::Material to_device(const Material &material, const std::vector<Texture> &textures) {
+namespace {
+
+device::uchar to_device(Wrap wrap) {
+    switch (wrap) {
+    case Wrap::clamp:
+        return device::WRAP_CLAMP;
+    case Wrap::mirror:
+        return device::WRAP_MIRROR;
+    case Wrap::repeat:
+        break;
+    }
+    return device::WRAP_REPEAT;
+}
+
+device::ushort2 to_ushort2(std::size_t x, std::size_t y) {
+    return {{static_cast<cl_ushort>(x), static_cast<cl_ushort>(y)}};
+}
+
+}  // namespace
+
+device::Material to_device(const Material &material, const std::vector<Texture> &textures,
+                           const TexturePages &pages) {
     device::Material result = {};
     result.color = to_float4(material.color);
-    result.texture = material.texture;
+    result.texture = no_texture;
     if (material.texture != no_texture) {
-        const Texture &texture = textures[static_cast<std::size_t>(material.texture)];
-        result.texture_size = {
-            {static_cast<float>(texture.width), static_cast<float>(texture.height)}};
+        const auto index = static_cast<std::size_t>(material.texture);
+        const Texture &texture = textures[index];
+        const TexturePlace &place = pages.places[index];
+        result.texture = static_cast<cl_short>(place.layer);
+        result.texture_size = to_ushort2(static_cast<std::size_t>(texture.width),
+                                         static_cast<std::size_t>(texture.height));
+        result.texture_place = to_ushort2(place.x, place.y);
+        result.wrap_u = to_device(texture.wrap_u);
+        result.wrap_v = to_device(texture.wrap_v);
     }
     switch (material.type) {
     case MaterialType::diffuse:

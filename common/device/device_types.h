@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "device/texture_pages.h"
 #include "scene/scene.h"
 #include "scene_types.h"
 
@@ -15,7 +16,9 @@ device::float4 to_float4(const glm::dvec3 &v);
 device::DoubleCamera to_device(const CameraDescription &camera, int width, int height);
 device::Camera to_single(const device::DoubleCamera &camera);
 
-device::Material to_device(const Material &material, const std::vector<Texture> &textures);
+// With `textures` in those places.
+device::Material to_device(const Material &material, const std::vector<Texture> &textures,
+                           const TexturePages &pages);
 device::Light to_device(const Light &light);
 device::Sphere to_device(const Sphere &sphere);
 device::Plane to_device(const Plane &plane);

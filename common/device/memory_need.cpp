@@ -24,12 +24,13 @@ std::size_t picture_bytes(const cl::Device &device, int width, int height) {
 
 void require_memory(const cl::Device &device, const Scene &scene, Transfer decode,
                     std::size_t picture, int pictures) {
-    const std::size_t vertex =
-        sizeof(device::float4) + (has_textured_mesh(scene) ? sizeof(device::float2) : 0);
+    const std::size_t vertex = sizeof(device::float4)
+                               + (has_textured_mesh(scene) ? sizeof(device::float2) : 0)
+                               + (has_vertex_colors(scene) ? sizeof(device::float4) : 0);
     const std::size_t triangle = sizeof(device::Triangle) + 3 * sizeof(device::float4);
     const std::size_t triangles =
         scene.triangles.size() * triangle + scene.vertices.size() * vertex;
-    const std::size_t textures = texture_bytes(scene, decode);
+    const std::size_t textures = texture_bytes(scene, device, decode);
     const std::size_t all = triangles + textures + static_cast<std::size_t>(pictures) * picture;
     const std::size_t had = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
     if (all > had) {

@@ -103,6 +103,9 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
     needs.emplace_back("HAS_SMOOTH_MESH", lit && smooth_shadows && has_smooth_mesh(scene));
     needs.emplace_back("HAS_TEXTURES", !scene.textures.empty());
     needs.emplace_back("HAS_MESH_TEXTURES", has_textured_mesh(scene));
+    needs.emplace_back("HAS_WRAPS", has_wraps(scene));
+    needs.emplace_back("HAS_CUTOUTS", has_cutouts(scene));
+    needs.emplace_back("HAS_VERTEX_COLORS", has_vertex_colors(scene));
     needs.emplace_back("MAX_DEPTH", max_depth);
     needs.emplace_back("CUTOFF_ONE_IN", reflection || dielectric ? cutoff : 0);
     // Only where a ray splits in two is one left waiting, at each depth.
@@ -115,6 +118,16 @@ void add_shading_needs(SceneNeeds &needs, const Scene &scene, int max_depth, int
 bool has_textured_mesh(const Scene &scene) {
     return any_mesh_material(
         scene, [](const Material &material) { return material.texture != no_texture; });
+}
+
+bool has_wraps(const Scene &scene) {
+    return std::ranges::any_of(scene.textures, [](const Texture &texture) {
+        return texture.wrap_u != Wrap::repeat || texture.wrap_v != Wrap::repeat;
+    });
+}
+
+bool has_cutouts(const Scene &scene) {
+    return any_mesh_material(scene, has_cutout);
 }
 
 int depth_of(const Scene &scene, int stage) {
@@ -160,6 +173,9 @@ std::string definitions_of(const SceneNeeds &needs) {
         {"HAS_SMOOTH_MESH", 0},
         {"HAS_TEXTURES", 0},
         {"HAS_MESH_TEXTURES", 0},
+        {"HAS_WRAPS", 0},
+        {"HAS_CUTOUTS", 0},
+        {"HAS_VERTEX_COLORS", 0},
         // These are numbers, not a yes or no.
         {"MAX_DEPTH", 0},
         {"CUTOFF_ONE_IN", 0},

@@ -42,5 +42,9 @@ std::string definitions_of(const SceneNeeds &needs);
 
 // Whether any triangle's material has a texture.
 bool has_textured_mesh(const Scene &scene);
+// Whether any texture does other than repeat.
+bool has_wraps(const Scene &scene);
+// Whether any triangle's material is cut out by its texture's alpha.
+bool has_cutouts(const Scene &scene);
 
 }  // namespace stagelight

@@ -10,6 +10,7 @@
 #include <CL/cl_half.h>
 #include <fmt/format.h>
 
+#include "device/texture_fit.h"
 #include "scene/errors.h"
 
 namespace stagelight {
@@ -37,27 +38,29 @@ Codes<cl_half> decoded_codes(Transfer decode) {
 }
 // #endregion decoded_codes
 
-std::size_t wrap(std::size_t index_with_border, int size) {
+// Of a row or column of texels with its border, which one of the texture's own is there.
+std::size_t texel_at(std::size_t index_with_border, int size, Wrap wrap) {
     const auto count = static_cast<std::size_t>(size);
-    return (index_with_border + count - 1) % count;
+    return wrap == Wrap::repeat ? (index_with_border + count - 1) % count
+                                : std::clamp(index_with_border, std::size_t{1}, count) - 1;
 }
 
 // #region copy_with_border
-// The texture with its border, in the upper left corner of a layer of `width` texels a row. Alpha
-// goes the way of the others: nobody reads it.
+// The texture with its border, from the upper left corner of that on, in rows of `width` texels.
+// Alpha goes the way of the others: nobody reads it here.
 template <typename Channel>
-void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Channel *layer,
+void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Channel *corner,
                       std::size_t width) {
     const auto columns = static_cast<std::size_t>(texture.width) + 2;
     const auto rows = static_cast<std::size_t>(texture.height) + 2;
     for (std::size_t y = 0; y < rows; ++y) {
         for (std::size_t x = 0; x < columns; ++x) {
-            const std::size_t source =
-                wrap(y, texture.height) * static_cast<std::size_t>(texture.width)
-                + wrap(x, texture.width);
+            const std::size_t source = texel_at(y, texture.height, texture.wrap_v)
+                                           * static_cast<std::size_t>(texture.width)
+                                       + texel_at(x, texture.width, texture.wrap_u);
             std::transform(&texture.texels[source * channels],
                            &texture.texels[source * channels] + channels,
-                           layer + (y * width + x) * channels,
+                           corner + (y * width + x) * channels,
                            [&codes](std::uint8_t code) { return codes[code]; });
         }
     }
@@ -66,33 +69,23 @@ void copy_with_border(const Texture &texture, const Codes<Channel> &codes, Chann
 
 template <typename Channel>
 cl::Image2DArray make_image(const cl::Context &context, const std::vector<Texture> &textures,
-                            std::size_t width, std::size_t height, cl_channel_type type,
+                            const TexturePages &pages, cl_channel_type type,
                             const Codes<Channel> &codes) {
-    const std::size_t layer = width * height * channels;
-    std::vector<Channel> texels(textures.size() * layer);
+    std::vector<Channel> texels(pages.texels() * channels);
     for (std::size_t i = 0; i < textures.size(); ++i) {
-        copy_with_border(textures[i], codes, texels.data() + i * layer, width);
+        const auto &[layer, x, y] = pages.places[i];
+        const std::size_t corner = (layer * pages.height + y - 1) * pages.width + x - 1;
+        copy_with_border(textures[i], codes, texels.data() + corner * channels, pages.width);
     }
     return {context,
             CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
             cl::ImageFormat(CL_RGBA, type),
-            textures.size(),
-            width,
-            height,
+            pages.layers,
+            pages.width,
+            pages.height,
             0,
             0,
             texels.data()};
-}
-
-// Width and height of the largest, with its border.
-std::pair<std::size_t, std::size_t> layer_size(const Scene &scene) {
-    int width = 0;
-    int height = 0;
-    for (const Texture &texture : scene.textures) {
-        width = std::max(width, texture.width + 2);
-        height = std::max(height, texture.height + 2);
-    }
-    return {width, height};
 }
 
 void require_size(const Texture &texture, std::size_t largest_width, std::size_t largest_height) {
@@ -106,9 +99,12 @@ void require_size(const Texture &texture, std::size_t largest_width, std::size_t
 
 }  // namespace
 
-std::size_t texture_bytes(const Scene &scene, Transfer decode) {
-    const auto [width, height] = layer_size(scene);
-    return scene.textures.size() * width * height * channels
+TexturePages pages_of(const Scene &scene, const cl::Device &device) {
+    return pages_of(scene.textures, texture_limits(device));
+}
+
+std::size_t texture_bytes(const Scene &scene, const cl::Device &device, Transfer decode) {
+    return pages_of(scene, device).texels() * channels
            * (decode == Transfer::none ? sizeof(std::uint8_t) : sizeof(cl_half));
 }
 
@@ -118,27 +114,23 @@ TextureArray::TextureArray(const cl::Context &context, const cl::Device &device,
         throw DeviceError(device.getInfo<CL_DEVICE_NAME>()
                           + " has no images, which textures need; choose another --device");
     }
+    const TextureLimits limits = texture_limits(device);
     for (const Texture &texture : scene.textures) {
-        require_size(texture, device.getInfo<CL_DEVICE_IMAGE2D_MAX_WIDTH>(),
-                     device.getInfo<CL_DEVICE_IMAGE2D_MAX_HEIGHT>());
+        require_size(texture, limits.width, limits.height);
     }
-    const auto [width, height] = layer_size(scene);
-    const std::size_t layers = scene.textures.size();
-    const bool decoded = decode != Transfer::none;
-    bytes_ = texture_bytes(scene, decode);
-    if (layers > device.getInfo<CL_DEVICE_IMAGE_MAX_ARRAY_SIZE>()
-        || bytes_ > device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) {
-        throw UserError(fmt::format(
-            "{}: {} textures of up to {}x{} texels take {} bytes; this device takes at most {} "
-            "textures and {} bytes",
-            scene.file.string(), layers, width, height, bytes_,
-            device.getInfo<CL_DEVICE_IMAGE_MAX_ARRAY_SIZE>(),
-            device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()));
+    const TexturePages pages = pages_of(scene, device);
+    bytes_ = texture_bytes(scene, device, decode);
+    if (pages.layers > limits.layers || bytes_ > device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()) {
+        throw UserError(fmt::format("{}: {} textures on {} layers of {}x{} texels take {} bytes; "
+                                    "this device takes at most {} "
+                                    "layers and {} bytes",
+                                    scene.file.string(), scene.textures.size(), pages.layers,
+                                    pages.width, pages.height, bytes_, limits.layers,
+                                    device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>()));
     }
-    image_ = decoded ? make_image(context, scene.textures, width, height, CL_HALF_FLOAT,
-                                  decoded_codes(decode))
-                     : make_image(context, scene.textures, width, height, CL_UNORM_INT8,
-                                  undecoded_codes());
+    image_ = decode != Transfer::none
+                 ? make_image(context, scene.textures, pages, CL_HALF_FLOAT, decoded_codes(decode))
+                 : make_image(context, scene.textures, pages, CL_UNORM_INT8, undecoded_codes());
 }
 
 }  // namespace stagelight

@@ -5,16 +5,20 @@
 #include <cstddef>
 
 #include "device/opencl.h"
+#include "device/texture_pages.h"
 #include "image/transfer.h"
 #include "scene/scene.h"
 
 namespace stagelight {
 
-// What an array of the scene's textures takes.
-std::size_t texture_bytes(const Scene &scene, Transfer decode);
+// Where the scene's textures lie in an array that the device takes, if it takes one.
+TexturePages pages_of(const Scene &scene, const cl::Device &device);
 
-// One layer a texture, RGBA, as wide and high as the largest of them and two texels
-// more: kernels/texture.cl wants a border of one texel, copied from the opposite edge.
+// What that array takes.
+std::size_t texture_bytes(const Scene &scene, const cl::Device &device, Transfer decode);
+
+// Several textures on a layer, RGBA: kernels/texture.cl wants a border of one texel around each,
+// which continues it as its wrap says.
 //
 // Texels that are not decoded keep the file's 8 bits. Light needs a finer grain in the dark: of
 // sRGB's darkest 18 codes 8 linear bits would leave 2. It is kept in half precision, whose steps

@@ -18,6 +18,7 @@ template <typename Number> struct Hit {
     Vec2<Number> texture_coordinates;
     int material;
     Number offset;  // rays from here start this far off the surface
+    Vec<Number> vertex_color{1};
     // From here to the smooth surface that a facet stands for: as it is seen from the front, and
     // from behind.
     Vec<Number> rise{0}, rise_behind{0};
@@ -76,15 +77,26 @@ Vec<Number> rise_of(const Scene &scene, const Triangle &triangle, const Vec<Numb
     return glm::dot(rise, up) > 0 ? rise : Vec<Number>(0);
 }
 
-// Normals and texture coordinates are blended between the corners (paper, section 6).
+// What is said of the corners, blended between them (paper, section 6).
+template <typename Number, typename OfVertex>
+auto blend_corners(const Scene &scene, const Triangle &triangle, const TriangleHit<Number> &hit,
+                   OfVertex of_vertex) {
+    const auto at = [&](std::size_t i) { return of_vertex(scene.vertices[triangle.vertices[i]]); };
+    return (1 - hit.u - hit.v) * at(0) + hit.u * at(1) + hit.v * at(2);
+}
+
+template <typename Number>
+Vec2<Number> coordinates_at(const Scene &scene, const Triangle &triangle,
+                            const TriangleHit<Number> &hit) {
+    return blend_corners(scene, triangle, hit,
+                         [](auto &v) { return Vec2<Number>(v.texture_coordinates); });
+}
+
 template <typename Number>
 Hit<Number> triangle_hit(const Scene &scene, const Triangle &triangle,
                          const TriangleHit<Number> &hit) {
     const auto blend = [&](auto of_vertex) {
-        const auto at = [&](std::size_t i) {
-            return of_vertex(scene.vertices[triangle.vertices[i]]);
-        };
-        return (1 - hit.u - hit.v) * at(0) + hit.u * at(1) + hit.v * at(2);
+        return blend_corners(scene, triangle, hit, of_vertex);
     };
     const Vec<Number> weights(1 - hit.u - hit.v, hit.u, hit.v);
     const Vec<Number> point = blend([](auto &v) { return Vec<Number>(v.position); });
@@ -97,10 +109,11 @@ Hit<Number> triangle_hit(const Scene &scene, const Triangle &triangle,
         .point = point,
         .shading_normal = normal,
         .geometric_normal = geometric,
-        .texture_coordinates = blend([](auto &v) { return Vec2<Number>(v.texture_coordinates); }),
+        .texture_coordinates = coordinates_at(scene, triangle, hit),
         .material = triangle.material,
         .offset =
             surface_offset(std::max({largest(corners.a), largest(corners.b), largest(corners.c)})),
+        .vertex_color = blend([](auto &v) { return Vec<Number>(v.color); }),
         .rise = rise_of(scene, triangle, weights, point, normal, geometric),
         .rise_behind = rise_of(scene, triangle, weights, point, normal, Vec<Number>(-geometric))};
 }

@@ -9,7 +9,7 @@ namespace stagelight::reference {
 
 namespace {
 
-using Corner = std::array<double, 9>;
+using Corner = std::array<double, 12>;
 
 Corner corner_of(const Scene &scene, const Triangle &triangle, std::size_t index) {
     const Vertex &vertex = scene.vertices[triangle.vertices[index]];
@@ -23,6 +23,9 @@ Corner corner_of(const Scene &scene, const Triangle &triangle, std::size_t index
             vertex.normal.z,
             uv.x,
             uv.y,
+            vertex.color.x,
+            vertex.color.y,
+            vertex.color.z,
             double(triangle.material)};
 }
 

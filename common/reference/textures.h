@@ -2,6 +2,8 @@
 // Texture coordinates and lookup (paper, section 7; docs/shading.md, "Textures").
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -22,8 +24,29 @@ template <typename Number> Vec2<Number> sphere_coordinates(const Vec<Number> &q)
     return {Number(0.5) + std::atan2(q.x, q.z) / (2 * pi), Number(0.5) - std::asin(sine) / pi};
 }
 
-inline int wrapped(int index, int count) {
+inline int repeated(int index, int count) {
     return (index % count + count) % count;
+}
+
+// Beyond the edges, as `wrap` has it.
+inline int wrapped(int index, int count, Wrap wrap) {
+    switch (wrap) {
+    case Wrap::clamp:
+        return std::clamp(index, 0, count - 1);
+    case Wrap::mirror: {
+        const int in_two = repeated(index, 2 * count);  // the picture and its mirror image
+        return std::min(in_two, 2 * count - 1 - in_two);
+    }
+    case Wrap::repeat:
+        break;
+    }
+    return repeated(index, count);
+}
+
+// A coordinate near the picture, where it looks the same.
+template <typename Number> Number near_picture(Number coordinate, Wrap wrap) {
+    return wrap == Wrap::clamp ? std::clamp(coordinate, Number(-1), Number(2))
+                               : coordinate - 2 * std::floor(coordinate / 2);
 }
 
 // The light that a picture's value in [0, 1] stands for. sRGB: IEC 61966-2-1, the straight line
@@ -43,34 +66,56 @@ template <typename Number> Number light_of(Transfer curve, Number value) {
     return value;
 }
 
-// The light of one texel, with the picture repeated in both directions.
+// One texel's red, green, blue and alpha; beyond the edges too.
+inline const std::uint8_t *texel_of(const Texture &texture, int column, int row) {
+    const auto pixel =
+        std::size_t(wrapped(row, texture.height, texture.wrap_v)) * std::size_t(texture.width)
+        + std::size_t(wrapped(column, texture.width, texture.wrap_u));
+    return &texture.texels[4 * pixel];
+}
+
+// The light of one texel.
 template <typename Number>
 Vec<Number> texel(const Texture &texture, Transfer decode, int column, int row) {
-    const auto pixel = std::size_t(wrapped(row, texture.height)) * std::size_t(texture.width)
-                       + std::size_t(wrapped(column, texture.width));
-    const std::uint8_t *rgba = &texture.texels[4 * pixel];
+    const std::uint8_t *rgba = texel_of(texture, column, row);
     const auto light = [decode](std::uint8_t code) {
         return light_of(decode, Number(code) / Number(255));
     };
     return {light(rgba[0]), light(rgba[1]), light(rgba[2])};
 }
 
-// The light of the four texels around (u, v), blended linearly.
-template <typename Number>
-Vec<Number> sample_texture(const Texture &texture, Transfer decode,
-                           const Vec2<Number> &coordinates) {
-    const Vec2<Number> once = coordinates - glm::floor(coordinates);
+// What `at(column, row)` says of the four texels around (u, v), blended linearly. Where all are the
+// same, so is the result, to the bit.
+template <typename Number, typename At>
+auto blend_texels(const Texture &texture, const Vec2<Number> &coordinates, At at) {
+    const Vec2<Number> near(near_picture(coordinates.x, texture.wrap_u),
+                            near_picture(coordinates.y, texture.wrap_v));
     const Vec2<Number> place =
-        once * Vec2<Number>(texture.width, texture.height) - Vec2<Number>(Number(0.5));
+        near * Vec2<Number>(texture.width, texture.height) - Vec2<Number>(Number(0.5));
     const Vec2<Number> corner = glm::floor(place);
     const Vec2<Number> share = place - corner;
     const int column = int(corner.x);
     const int row = int(corner.y);
-    const auto row_at = [&](int y) {
-        return glm::mix(texel<Number>(texture, decode, column, y),
-                        texel<Number>(texture, decode, column + 1, y), share.x);
-    };
-    return glm::mix(row_at(row), row_at(row + 1), share.y);
+    const auto between = [](const auto &a, const auto &b, Number by) { return a + by * (b - a); };
+    const auto row_at = [&](int y) { return between(at(column, y), at(column + 1, y), share.x); };
+    return between(row_at(row), row_at(row + 1), share.y);
+}
+
+template <typename Number>
+Vec<Number> sample_texture(const Texture &texture, Transfer decode,
+                           const Vec2<Number> &coordinates) {
+    return blend_texels(texture, coordinates, [&](int column, int row) {
+        return texel<Number>(texture, decode, column, row);
+    });
+}
+
+// Never decoded: it is a share, and no light.
+template <typename Number>
+Number sample_alpha(const Texture &texture, const Vec2<Number> &coordinates) {
+    return blend_texels(
+               texture, coordinates,
+               [&](int column, int row) { return Number(texel_of(texture, column, row)[3]); })
+           / Number(255);
 }
 
 }  // namespace stagelight::reference

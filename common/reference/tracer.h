@@ -38,7 +38,7 @@ private:
         Vec<Number> direction;  // of the ray
         Path path;              // of the ray, its weight as it is at the hit
         const Material &material;
-        Vec<Number> color;  // the material's, times the texel
+        Vec<Number> color;  // the material's, times those of vertices and of the texel
         RayTree &tree;
     };
 
@@ -67,7 +67,7 @@ private:
     }
 
     Vec<Number> color_of(const Material &material, const Hit<Number> &hit) const {
-        const Vec<Number> color(material.color);
+        const Vec<Number> color = Vec<Number>(material.color) * hit.vertex_color;
         return material.texture == no_texture
                    ? color
                    : color

@@ -52,6 +52,16 @@ private:
         }
     };
 
+    // Where the triangle is met, unless its texture's alpha cuts it out there.
+    bool is_there(std::size_t index, const TriangleHit<Number> &hit) const {
+        const Triangle &triangle = scene_.triangles[index];
+        const Material &material = scene_.materials[std::size_t(triangle.material)];
+        return !has_cutout(material)
+               || !(sample_alpha(scene_.textures[std::size_t(material.texture)],
+                                 coordinates_at(scene_, triangle, hit))
+                    < Number(material.alpha_cutoff));
+    }
+
     Nearest search(const Ray<Number> &ray) const;
     void add_bodies_behind(Ray<Number> ray, std::map<int, bool> &holds) const;
 
@@ -96,7 +106,7 @@ typename World<Number>::Nearest World<Number>::search(const Ray<Number> &ray) co
                                       Vec<Number>(scene_.planes[i].point)));
     tree_.search(ray, nearest.distance, [&](std::size_t i) {
         const auto hit = intersect_triangle(ray, tree_.corners(i));
-        if (hit && hit->distance < nearest.distance)
+        if (hit && hit->distance < nearest.distance && is_there(i, *hit))
             nearest = {Surface::Kind::patch, i, hit->distance, *hit};
         return false;
     });
@@ -140,7 +150,10 @@ template <typename Number> bool World<Number>::blocked(const Line<Number> &line)
         return line_meets_plane(line, Vec<Number>(it.normal), Vec<Number>(it.point));
     };
     const auto by_triangle = [&](std::size_t i) {
-        return line_meets_triangle(line, tree_.corners(i));
+        if (!line_meets_triangle(line, tree_.corners(i)))
+            return false;
+        const auto hit = intersect_triangle(ray_along(line), tree_.corners(i));
+        return !hit || is_there(i, *hit);
     };
     const Number length = glm::distance(line.origin, line.destination);
     return std::any_of(scene_.spheres.begin(), scene_.spheres.end(), by_sphere)

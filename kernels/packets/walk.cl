@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Introduced by stage 10: the walk of a packet down the tree of boxes.
+#include "cutout.cl"
 #include "packets/box.cl"
 #include "packets/sphere.cl"
 #include "packets/triangle/woop.cl"
@@ -21,11 +22,32 @@ static void try_spheres(const Scene *scene, WideRays *rays, const bool are_lines
     }
 }
 
+// Lane by lane, where a ray would be stopped: INFINITY where the triangle is not there.
+static Wide uncut(const Scene *scene, const WideRays *rays, const int index, const Wide distance, const Wide b,
+                  const Wide c) {
+    const WideInt stops = distance < rays->t_max;
+    if (scene->cutouts[scene->triangles[index].material].cutoff == 0.0f || !any_lane(stops)) {
+        return distance;
+    }
+    const LanesInt stop_lanes = {.wide = stops};
+    const Lanes b_lanes = {.wide = b}, c_lanes = {.wide = c};
+    Lanes distances = {.wide = distance};
+    for (int lane = 0; lane < WIDTH; ++lane) {
+        if (stop_lanes.lane[lane] && is_cut_out(scene, index, (float2)(b_lanes.lane[lane], c_lanes.lane[lane]))) {
+            distances.lane[lane] = INFINITY;
+        }
+    }
+    return distances.wide;
+}
+
 static void try_triangles(const Scene *scene, WideRays *rays, const TriangleRays *shared, const int first,
                           const int count, WideHits *closest) {
     for (int i = first; i < first + count; ++i) {
         Wide b, c;
-        const Wide distance = wide_ray_triangle(rays, shared, scene, i, &b, &c);
+        Wide distance = wide_ray_triangle(rays, shared, scene, i, &b, &c);
+        if (HAS_CUTOUTS) {
+            distance = uncut(scene, rays, i, distance, b, c);
+        }
         if (closest) {
             const WideInt closer = wide_keep_closer(rays, closest, distance, SHAPE_TRIANGLE, i);
             closest->barycentric_b = closer ? b : closest->barycentric_b;

@@ -75,7 +75,7 @@ TEST_P(KernelsStage08Texture, All256CodesComeBack) {
 TEST_P(KernelsStage08Texture, TakesEightBytesATexel) {
     const cl::Context context(device());
     const Scene scene = scene_of_pictures([](int, int, int) { return std::array{1, 2, 3}; });
-    const std::size_t texels = scene.textures.size() * (64 + 2) * (64 + 2);
+    const std::size_t texels = pages_of(scene, device()).texels();
     EXPECT_EQ(TextureArray(context, device(), scene, Transfer::none).bytes(), 4 * texels);
     for (const Transfer decode : curves) {
         const TextureArray array(context, device(), scene, decode);

@@ -78,4 +78,20 @@ inline void expect_colors(DeviceProgram program, const Scene &scene, Transfer de
     color.expect(14000);
 }
 
+// The same pictures, each wrapped one of the nine ways.
+inline void wrap_in_all_ways(Scene &scene) {
+    constexpr std::array wraps{Wrap::repeat, Wrap::clamp, Wrap::mirror};
+    const std::vector<Texture> once = scene.textures;
+    scene.textures.clear();
+    scene.materials.clear();
+    for (const Texture &texture : once) {
+        for (std::size_t i = 0; i < 9; ++i) {
+            scene.materials.push_back({.texture = int(scene.textures.size()), .where = {}});
+            scene.textures.push_back(texture);
+            scene.textures.back().wrap_u = wraps.at(i % 3);
+            scene.textures.back().wrap_v = wraps.at(i / 3);
+        }
+    }
+}
+
 }  // namespace stagelight

@@ -68,16 +68,36 @@ TEST_P(KernelsStage06Coordinates, PolesAndSeamAreWhereTheyBelong) {
     }
 }
 
+using KernelsStage06Cutout = OnDevice;
+INSTANTIATE_TEST_SUITE_P(On, KernelsStage06Cutout, each_device(), device_name);
 using KernelsStage06Texture = OnDevice;
 INSTANTIATE_TEST_SUITE_P(On, KernelsStage06Texture, each_device(), device_name);
 
 // One colour a picture: whatever is filtered, a neighbour's colour, or the black beside a small
-// picture in its layer, would show. PoCL 3.1 reads the wrong layer with normalised coordinates.
-TEST_P(KernelsStage06Texture, EveryLayerHasItsOwnColor) {
+// picture on its layer, would show.
+TEST_P(KernelsStage06Texture, EveryPictureHasItsOwnColor) {
     const Scene scene = scene_of_pictures([](int picture, int, int) {
         return std::array{10 + 30 * picture, 200 - 20 * picture, picture % 2 == 0 ? 50 : 150};
     });
     expect_colors(build("texture.cl", with_pictures), scene, Transfer::none, 0, 4 * ulp);
+}
+
+// Of equal pictures each has a layer of its own. PoCL 3.1 reads the wrong one with normalised
+// coordinates.
+TEST_P(KernelsStage06Texture, EqualPicturesLieOnLayersOfTheirOwn) {
+    Scene scene;
+    std::vector<vec4> middles;
+    for (int i = 0; i < 5; ++i) {
+        const auto red = std::uint8_t(10 + 50 * i);
+        scene.textures.push_back(reference::texture_of(2, 1, {red, 0, 0, 255, red, 0, 0, 255}));
+        scene.materials.push_back({.texture = i, .where = {}});
+        middles.emplace_back(0.5, 0.5, i, 0);
+    }
+    ASSERT_EQ(pages_of(scene, device()).layers, 5U);
+    const auto colors = build("texture.cl", with_pictures).run_in<vec4>(scene, "colors", middles);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        EXPECT_NEAR(255 * colors[i].x, 10 + 50 * double(i), 0.1);
+    }
 }
 
 // All texels at random: the place is rounded in proportion to the size, and a step from one
@@ -92,6 +112,53 @@ TEST_P(KernelsStage06Texture, TheFilterBlendsFourTexelsAcrossTheWrapToo) {
     });
     expect_colors(build("texture.cl", with_pictures), scene, Transfer::none, 4 * ulp,
                   on_rusticl() ? 2.0 / 256 + 0.5 / 255 : 4 * ulp);
+}
+
+Scene random_pictures() {
+    Dice dice;
+    Scene scene = scene_of_pictures([&](int, int, int) {
+        return std::array{int(dice.between(0, 256 - 1e-6)), int(dice.between(0, 256 - 1e-6)),
+                          int(dice.between(0, 256 - 1e-6))};
+    });
+    for (Texture &texture : scene.textures) {
+        for (std::size_t i = 3; i < texture.texels.size(); i += 4) {
+            texture.texels[i] = std::uint8_t(dice.between(0, 256 - 1e-6));
+        }
+    }
+    return scene;
+}
+
+// Each way to wrap u beside each to wrap v: what the borders hold shows at the edges.
+TEST_P(KernelsStage06Texture, WrapsEachAxisInEachWay) {
+    Scene scene = random_pictures();
+    wrap_in_all_ways(scene);
+    SceneNeeds needs = with_pictures;
+    needs.emplace_back("HAS_WRAPS", 1);
+    expect_colors(build("texture.cl", needs), scene, Transfer::none, 4 * ulp,
+                  on_rusticl() ? 2.0 / 256 + 0.5 / 255 : 4 * ulp);
+}
+
+// Alphas lie in a buffer, one picture after another, and are filtered in float on every device.
+TEST_P(KernelsStage06Cutout, AlphasAreBlendedAndWrappedAsColorsAre) {
+    Scene scene = random_pictures();
+    wrap_in_all_ways(scene);
+    scene.vertices.resize(3);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        scene.materials[i].alpha_cutoff = 0.5;
+        scene.triangles.push_back({.vertices = {0, 1, 2}, .material = int(i)});
+    }
+    const SceneNeeds needs{{"HAS_MATERIALS", 1}, {"HAS_TRIANGLES", 1},     {"HAS_TEXTURES", 1},
+                           {"HAS_WRAPS", 1},     {"HAS_MESH_TEXTURES", 1}, {"HAS_CUTOUTS", 1}};
+    const std::vector<vec4> at = places(scene);
+    const auto alphas = build("texture.cl", needs).run_in<float>(scene, "alphas_at", at);
+    Worst alpha("alpha");
+    for (std::size_t i = 0; i < alphas.size(); ++i) {
+        const Texture &texture = scene.textures[std::size_t(at[i].z)];
+        const double truth = reference::sample_alpha(texture, glm::dvec2(at[i].x, at[i].y));
+        const double size = 1 + std::max(texture.width, texture.height);
+        alpha.compare(i, alphas[i], truth, 4 * ulp * size + 4 * ulp);
+    }
+    alpha.expect(100000);
 }
 
 TEST_P(KernelsStage06Texture, AMaterialWithoutATextureIsWhite) {

@@ -49,6 +49,94 @@ TEST(ReferenceStage06Texture, WrapsInBothDirections) {
     EXPECT_NEAR(red(numbered(1, 1), {0.3, 0.9}), 0, 0) << "one texel is all its neighbours";
 }
 
+// 4 texels in a row, numbered 0 to 3: what is beyond the edges at the centres of texels to both
+// sides.
+TEST(ReferenceStage06Texture, ClampsAndMirrors) {
+    Texture texture = numbered(4, 1);
+    const auto at = [&](int column) { return red(texture, {(column + 0.5) / 4, 0.5}); };
+    texture.wrap_u = Wrap::clamp;
+    for (const auto &[column, shown] :
+         {std::pair{-9, 0}, {-1, 0}, {0, 0}, {3, 3}, {4, 3}, {40, 3}}) {
+        EXPECT_NEAR(at(column), shown, 1e-12) << column;
+    }
+    EXPECT_NEAR(red(texture, {1e10, 0.5}), 3, 1e-12);
+    EXPECT_NEAR(red(texture, {-0.01, 0.5}), 0, 1e-12);
+    texture.wrap_u = Wrap::mirror;
+    for (const auto &[column, shown] : {std::pair{-5, 3},
+                                        {-4, 3},
+                                        {-1, 0},
+                                        {0, 0},
+                                        {3, 3},
+                                        {4, 3},
+                                        {5, 2},
+                                        {7, 0},
+                                        {8, 0},
+                                        {9, 1}}) {
+        EXPECT_NEAR(at(column), shown, 1e-9) << column;
+    }
+    EXPECT_NEAR(red(texture, {1, 0.5}), 3, 1e-12) << "the last texel beside itself";
+    EXPECT_NEAR(red(texture, {0, 0.5}), 0, 1e-12);
+}
+
+TEST(ReferenceStage06Texture, WrapsEachAxisInItsOwnWay) {
+    Texture texture = numbered(4, 2);
+    texture.wrap_u = Wrap::clamp;
+    EXPECT_NEAR(red(texture, {1.875, 1.25}), 3, 1e-12) << "u clamped, v repeated";
+    texture.wrap_v = Wrap::mirror;
+    EXPECT_NEAR(red(texture, {1.875, 1.25}), 4 + 3, 1e-12) << "v mirrored";
+}
+
+// Alpha 0 and 255 side by side, a quarter of the way between them; no curve is applied to it.
+TEST(ReferenceStage06Cutout, AlphaIsBlended) {
+    const Texture texture = texture_of(2, 1, {9, 9, 9, 0, 9, 9, 9, 255});
+    EXPECT_NEAR(sample_alpha(texture, dvec2(0.375, 0.5)), 0.25, 1e-15);
+    EXPECT_EQ(sample_alpha(texture_of(1, 1, {0, 0, 0, 255}), dvec2(0.3, 0.77)), 1);
+}
+
+// A card of alpha 1 left and 0 right, in front of a wall.
+Scene card() {
+    Scene scene;
+    Material material = diffuse({1, 1, 1});
+    material.texture = 0;
+    material.alpha_cutoff = 0.5;
+    scene.textures.push_back(texture_of(2, 1, {255, 255, 255, 255, 255, 255, 255, 0}));
+    scene.textures[0].wrap_u = Wrap::clamp;
+    const dvec3 n(0, 0, 1);
+    const int cut = add_material(scene, material);
+    add_triangle(scene, {{-1, -1, 0}, n, {0, 1}}, {{1, -1, 0}, n, {1, 1}}, {{1, 1, 0}, n, {1, 0}},
+                 cut);
+    add_triangle(scene, {{-1, -1, 0}, n, {0, 1}}, {{1, 1, 0}, n, {1, 0}}, {{-1, 1, 0}, n, {0, 0}},
+                 cut);
+    add_plane(scene, n, {0, 0, -1}, diffuse({0, 1, 0}));
+    return scene;
+}
+
+TEST(ReferenceStage06Cutout, RaysAndLinesGoThroughIt) {
+    const Scene scene = card();
+    const World<double> world(scene);
+    for (const auto &[x, distance] : {std::pair{-0.5, 1.0}, {0.5, 2.0}}) {
+        EXPECT_NEAR(world.closest_hit(ray({x, 0.1, 1}, {0, 0, -1}))->distance, distance, 1e-12);
+        EXPECT_EQ(world.blocked(ray({x, 0.1, -0.5}, {0, 0, 1})), x < 0);
+        EXPECT_EQ(world.blocked(Line<double>{{x, 0.1, -0.5}, {x, 0.1, 1}}), x < 0);
+    }
+}
+
+TEST(ReferenceStage06Cutout, GlassIsWhole) {
+    Scene scene = card();
+    scene.materials[0].type = MaterialType::dielectric;
+    EXPECT_NEAR(World<double>(scene).closest_hit(ray({0.5, 0.1, 1}, {0, 0, -1}))->distance, 1,
+                1e-12);
+}
+
+TEST(ReferenceStage06Meshes, ColorsOfVerticesAreBlended) {
+    Scene scene;
+    const dvec3 n(0, 0, 1);
+    add_triangle(scene, {{0, 0, 0}, n, {}, {1, 0, 0}}, {{1, 0, 0}, n, {}, {0, 1, 0}},
+                 {{0, 1, 0}, n, {}, {0, 0, 1}}, add_material(scene, diffuse({1, 0.5, 1})));
+    add_directional_light(scene, {0, 0, -1}, {1, 1, 1}, 1);
+    expect_near(seen(scene, ray({0.25, 0.125, 1}, {0, 0, -1})), {0.625, 0.125, 0.125}, 1e-12);
+}
+
 // v runs from the north pole to the south, all of it; u runs around, from behind (-z) over the
 // left (-x), the front (+z, in the middle) and the right back to behind.
 TEST(ReferenceStage06Sphere, CoordinatesSpanThePicture) {

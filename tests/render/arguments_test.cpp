@@ -4,6 +4,7 @@
 #include <set>
 
 #include "device/bvh.h"
+#include "device/texture_pages.h"
 #include "render/on_each_device.h"
 #include "scene/scene_file.h"
 #include "scene/stages.h"
@@ -52,11 +53,6 @@ Names arguments(const Renderer &renderer) {
 // Each part that is there, at the size of its struct in kernels/scene_types.h.
 Sizes sizes_of(const Scene &scene, const Names &parts, std::size_t texel) {
     const std::size_t vertices = scene.vertices.size();
-    std::size_t width = 0, height = 0;  // of the largest texture, with a border
-    for (const Texture &texture : scene.textures) {
-        width = std::max(width, std::size_t(texture.width) + 2);
-        height = std::max(height, std::size_t(texture.height) + 2);
-    }
     Sizes sizes{{"image", std::size_t(scene.width) * std::size_t(scene.height) * 16},
                 {"ray_counts", std::size_t(scene.height) * 24},
                 {"spheres", scene.spheres.size() * 32},
@@ -68,7 +64,10 @@ Sizes sizes_of(const Scene &scene, const Names &parts, std::size_t texel) {
                 {"bvh_nodes", build_bvh(scene).nodes.size() * 128},
                 {"vertex_normals", vertices * 16},
                 {"vertex_texture_coordinates", vertices * 8},
-                {"textures", scene.textures.size() * width * height * texel}};
+                {"vertex_colors", vertices * 16},
+                {"cutouts", scene.materials.size() * 8},
+                {"alphas", 2},
+                {"textures", pages_of(scene.textures, {16384, 16384, 2048}).texels() * texel}};
     std::erase_if(sizes, [&](const auto &size) { return !parts.contains(size.first); });
     return sizes;
 }
@@ -152,8 +151,7 @@ int add_textured(Scene &scene) {
     return add_material(scene, material);
 }
 
-// The mesh has no picture: no coordinates. A second picture of another size makes both layers
-// as wide and as high as the largest.
+// The mesh has no picture: no coordinates.
 TEST_P(Stage06Arguments, OfATexturedSphereBesideAPlainMesh) {
     Scene scene = one_pixel({0, 0, 3}, {0, 0, 0});
     scene.spheres.push_back({.material = add_textured(scene), .where = {}});
@@ -167,6 +165,22 @@ TEST_P(Stage06Arguments, OfATexturedMeshAlone) {
     Scene scene = one_pixel({0, 0, 3}, {0, 0, 0});
     add_flat_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, add_textured(scene));
     expect(scene, shaded + mesh + Names{"vertex_texture_coordinates", "textures"});
+}
+
+TEST_P(Stage06Arguments, OfAMeshThatIsCutOut) {
+    Scene scene = one_pixel({0, 0, 3}, {0, 0, 0});
+    add_flat_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, add_textured(scene));
+    scene.materials[0].alpha_cutoff = 0.5;
+    expect(scene,
+           shaded + mesh + Names{"vertex_texture_coordinates", "textures", "cutouts", "alphas"});
+}
+
+TEST_P(Stage06Arguments, OfAMeshWithColorsOfVertices) {
+    Scene scene = one_pixel({0, 0, 3}, {0, 0, 0});
+    add_flat_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                      add_material(scene, diffuse({1, 1, 1})));
+    scene.vertices[1].color = {1, 0.5, 1};
+    expect(scene, shaded + mesh + Names{"vertex_colors"});
 }
 
 // Nothing is diffuse, so the light that there is lights nothing.

@@ -11,11 +11,11 @@
     const float2 tiles = REPEATS * coordinates;
 // #stub
     const float2 within = tiles - floor(tiles);  // your turn
-    const float2 texel = within * XY(material->texture_size) + 1.0f;
+    const float2 texel = within * XY(material->texture_size) + XY(material->texture_place);
 // #solution
     const float2 within = fabs(tiles - 2.0f * round(0.5f * tiles));
     // Beyond the last centre lies the border, the opposite edge; here the same texel is next.
     const float2 size = XY(material->texture_size);
-    const float2 texel = clamp(within * size, (float2)(0.5f), size - 0.5f) + 1.0f;
+    const float2 texel = clamp(within * size, (float2)(0.5f), size - 0.5f) + XY(material->texture_place);
 // #end
 // #endregion wrapped

@@ -37,10 +37,11 @@ static float3 texture_color(const Material *material, const float2 coordinates, 
     }
 // #stub
     const float2 wrapped = coordinates - floor(coordinates);
-    const float2 texel = wrapped * XY(material->texture_size) + 1.0f;
+    const float2 texel = wrapped * XY(material->texture_size) + XY(material->texture_place);
     return nearest_texel(texel, convert_float(material->texture), textures);  // your turn
 // #solution
     const float2 size = XY(material->texture_size);
+    const float2 first = XY(material->texture_place) + 0.5f;
     const float2 place = coordinates * size - 0.5f;
     const float2 low = floor(place);
     const float4 across = cubic_weights(place.x - low.x);
@@ -53,7 +54,7 @@ static float3 texture_color(const Material *material, const float2 coordinates, 
             const float2 index = low + (float2)(i - 1, j - 1);
             const float2 texel = index - size * floor(index / size);  // the border is too narrow
             sum += weights[0][i] * weights[1][j]
-                   * nearest_texel(texel + 1.5f, convert_float(material->texture), textures);
+                   * nearest_texel(first + texel, convert_float(material->texture), textures);
         }
     }
     return clamp(sum, 0.0f, 1.0f);  // no surface sends on more light than it gets, nor less than none
