@@ -144,8 +144,13 @@ void export_pov(const Scene &scene, const PovSettings &settings,
         require_expressible(light);
     }
     for (const std::size_t number : used) {
-        pov::require_expressible(scene.materials[number]);
+        const Material &material = scene.materials[number];
+        pov::require_expressible(material);
+        if (material.texture != no_texture) {
+            pov::require_expressible(scene.textures[static_cast<std::size_t>(material.texture)]);
+        }
     }
+    pov::require_expressible_colors(scene);
     const pov::Media media(scene);
 
     const bool needs_size =

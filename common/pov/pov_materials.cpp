@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pov/pov_materials.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <set>
 
 #include "image/image_io.h"
@@ -74,6 +76,39 @@ void require_expressible(const Material &material) {
                                     "colour that by a picture; expected a diffuse material",
                                     to_string(material.where)));
     }
+    if (has_cutout(material)) {
+        throw UserError(fmt::format("{}: a material with an alpha_cutoff: POV-Ray blends by alpha "
+                                    "and has no threshold; leave it out to export the scene",
+                                    to_string(material.where)));
+    }
+}
+
+void require_expressible(const Texture &texture) {
+    if (texture.wrap_u != Wrap::repeat || texture.wrap_v != Wrap::repeat) {
+        throw UserError(fmt::format("{}: a texture that is clamped or mirrored: POV-Ray's repeat; "
+                                    "leave wrap out to export the scene",
+                                    to_string(texture.where)));
+    }
+}
+
+bool has_color(const Scene &scene, const Triangle &triangle) {
+    return std::ranges::any_of(triangle.vertices, [&scene](std::uint32_t vertex) {
+        return scene.vertices[vertex].color != glm::dvec3(1);
+    });
+}
+
+void require_expressible_colors(const Scene &scene) {
+    for (const Triangle &triangle : scene.triangles) {
+        const Material &material = scene.materials[static_cast<std::size_t>(triangle.material)];
+        const bool is_plain =
+            material.texture == no_texture && material.type != MaterialType::dielectric;
+        if (!is_plain && has_color(scene, triangle)) {
+            const Mesh &mesh = scene.meshes[static_cast<std::size_t>(triangle.mesh)];
+            throw UserError(fmt::format("{}: colours of vertices on a texture or on glass: POV-Ray "
+                                        "does not multiply them; expected another material",
+                                        to_string(mesh.where)));
+        }
+    }
 }
 
 std::filesystem::path picture_of(const std::filesystem::path &file, std::size_t material) {
@@ -93,9 +128,12 @@ void write_picture(const Material &material, const Texture &texture, Transfer de
     write_image(image, file, Transfer::none);
 }
 
+std::string texture_of(const Material &material) {
+    return fmt::format("texture {{ {} {} }}", pigment_of(material), finish_of(material));
+}
+
 std::string declaration(const Material &material, std::size_t number) {
-    std::string text = fmt::format("#declare material_{} = texture {{ {} {} }}\n", number,
-                                   pigment_of(material), finish_of(material));
+    std::string text = fmt::format("#declare material_{} = {}\n", number, texture_of(material));
     if (material.type == MaterialType::dielectric) {
         text += fmt::format("#declare interior_{} = {}\n", number, interior_of(material));
     }

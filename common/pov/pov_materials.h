@@ -21,8 +21,14 @@ inline std::string vector(const glm::dvec3 &v) {
 // The numbers of the materials that a shape uses, in order.
 std::vector<std::size_t> used_materials(const Scene &scene);
 
-// Throws UserError, with its place in the scene, for a material that POV-Ray cannot have.
+// Throws UserError, with its place in the scene, for a material or texture that POV-Ray cannot
+// have.
 void require_expressible(const Material &material);
+void require_expressible(const Texture &texture);
+// The same for colours of vertices on a material that POV-Ray cannot blend.
+void require_expressible_colors(const Scene &scene);
+
+bool has_color(const Scene &scene, const Triangle &triangle);
 
 // Where the material's texels go: beside `file`, with the number of the material.
 std::filesystem::path picture_of(const std::filesystem::path &file, std::size_t material);
@@ -31,6 +37,8 @@ std::filesystem::path picture_of(const std::filesystem::path &file, std::size_t 
 void write_picture(const Material &material, const Texture &texture, Transfer decode,
                    const std::filesystem::path &file);
 
+// A texture of POV-Ray's, of a material without texels.
+std::string texture_of(const Material &material);
 // #declare material_N, a texture of POV-Ray's, and of a dielectric interior_N.
 std::string declaration(const Material &material, std::size_t number);
 // Of a material with texels, which are in the file named `picture`: material_N, and

@@ -157,13 +157,23 @@ std::string list(const char *name, const Part &part, const auto &entry) {
     return text + " }\n";
 }
 
+// A texture for each vertex, which POV-Ray blends.
+std::string colors(const Scene &scene, const Part &part) {
+    return list("texture_list", part, [&](std::uint32_t vertex) {
+        Material material = material_of(scene, part.triangles.front().material);
+        material.color *= scene.vertices[vertex].color;
+        return texture_of(material);
+    });
+}
+
 // POV-Ray is left-handed: with the corners in our order, its normal of a flat face points inwards.
-std::string faces(const Part &part) {
+std::string faces(const Part &part, bool has_colors) {
     std::string text = fmt::format("face_indices {{ {}", part.triangles.size());
     for (const Triangle &triangle : part.triangles) {
         const auto &[a, b, c] = triangle.vertices;
-        text +=
-            fmt::format(",\n<{}, {}, {}>", part.places.at(a), part.places.at(c), part.places.at(b));
+        const std::string corners =
+            fmt::format("{}, {}, {}", part.places.at(a), part.places.at(c), part.places.at(b));
+        text += fmt::format(",\n<{}>{}", corners, has_colors ? ", " + corners : "");
     }
     return text + " }\n";
 }
@@ -180,7 +190,12 @@ std::string mesh(const Scene &scene, const Part &part, const auto &position, con
             return fmt::format("<{}, {}>", uv.x, 1 - uv.y);  // POV-Ray's goes up
         });
     }
-    return text + faces(part) + more + "}";
+    const bool has_colors = std::ranges::any_of(
+        part.triangles, [&](const Triangle &triangle) { return has_color(scene, triangle); });
+    if (has_colors) {
+        text += colors(scene, part);
+    }
+    return text + faces(part, has_colors) + more + "}";
 }
 
 void Shapes::add_meshes() {

@@ -157,6 +157,18 @@ TEST_F(ExportMesh, TextureCoordinatesGoUp) {
     EXPECT_EQ(text.find("uv_vectors"), text.rfind("uv_vectors")) << "one material has no texture";
 }
 
+// The material's colour times the vertex's; each corner of a face names the texture of its vertex.
+TEST_F(ExportMesh, ColorsOfVerticesAreTexturesToBlend) {
+    Scene scene = two_triangles();
+    expect_no_part(exported(scene), "texture_list");
+    scene.materials[0].color = {1, 0.5, 1};
+    scene.vertices[0].color = {0.25, 0.5, 1};
+    const std::string text = exported(scene);
+    expect_part(text, "texture_list { 3,\ntexture { pigment { rgb <0.25, 0.25, 1> } ");
+    expect_part(text, "face_indices { 1,\n<0, 2, 1>, 0, 2, 1 }");
+    EXPECT_EQ(text.find("texture_list"), text.rfind("texture_list")) << "one is white";
+}
+
 class ExportTexture : public Export {
 protected:
     static Scene textured_sphere() {

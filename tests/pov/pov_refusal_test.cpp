@@ -43,6 +43,20 @@ TEST_F(ExportRefuses, ReflectionsColouredByAPicture) {
     expect_refused(textured(glass({1, 1, 1}, 1.5, {0, 0, 0})), message);
 }
 
+TEST_F(ExportRefuses, CutOutsWrapsAndColorsOnTextures) {
+    Scene scene = textured(diffuse({1, 1, 1}));
+    scene.textures[0].where = {"scene.toml", 9, 1};
+    scene.textures[0].wrap_v = Wrap::mirror;
+    expect_refused(scene, "scene.toml:9:1: a texture that is clamped or mirrored");
+    scene.materials[0].alpha_cutoff = 0.5;
+    expect_refused(scene, "scene.toml:7:1: a material with an alpha_cutoff");
+    scene = textured(diffuse({1, 1, 1}));
+    add_flat_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0);
+    scene.meshes[0].where = {"scene.toml", 11, 1};
+    scene.vertices[1].color = {1, 0, 0};
+    expect_refused(scene, "scene.toml:11:1: colours of vertices on a texture");
+}
+
 TEST_F(ExportRefuses, NothingThatNoShapeUses) {
     Scene scene = textured(mirror({1, 1, 1}));
     scene.spheres.clear();
