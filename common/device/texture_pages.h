@@ -28,7 +28,8 @@ struct TextureLimits {
 
 // Small textures share a layer. Each has a border of one texel all around, which no other touches.
 // Where they fit the limits in some way that is tried, the result does; of these ways it is that of
-// the fewest texels, and of those of the lowest layers. The same textures always get the same places.
+// the fewest texels, and of those of the lowest layers. The same textures always get the same
+// places.
 TexturePages pages_of(const std::vector<Texture> &textures, const TextureLimits &limits);
 
 }  // namespace stagelight

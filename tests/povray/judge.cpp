@@ -20,7 +20,11 @@ Scene scene_in_common(const std::filesystem::path &file) {
     for (Light &light : scene.lights) {
         light.range = std::numeric_limits<double>::infinity();
     }
+    for (Texture &texture : scene.textures) {
+        texture.wrap_u = texture.wrap_v = Wrap::repeat;
+    }
     for (Material &material : scene.materials) {
+        material.alpha_cutoff = 0;
         if (material.type == MaterialType::dielectric) {
             material.color = glm::dvec3(1);
         } else if (material.texture != no_texture) {
