@@ -68,11 +68,15 @@ inline void expect_colors(DeviceProgram program, const Scene &scene, Transfer de
                           double rounding_per_texel, double rounding) {
     const std::vector<glm::vec4> at = places(scene);
     const auto colors = program.run_in<glm::vec4>(scene, "colors", at);
+    // A place on a layer is rounded by how far it is from the corner.
+    const TexturePages pages = pages_of(scene.textures, {16384, 16384, 2048});
     Worst color("colour");
     for (std::size_t i = 0; i < colors.size(); ++i) {
         const Texture &texture = scene.textures[std::size_t(at[i].z)];
         const auto truth = reference::sample_texture(texture, decode, glm::dvec2(at[i].x, at[i].y));
-        const double size = 1 + std::max(texture.width, texture.height);
+        const TexturePlace &place = pages.places[std::size_t(at[i].z)];
+        const double size = double(
+            std::max(place.x + std::size_t(texture.width), place.y + std::size_t(texture.height)));
         color.compare(i, glm::dvec3(colors[i]), truth, rounding_per_texel * size + rounding);
     }
     color.expect(14000);
