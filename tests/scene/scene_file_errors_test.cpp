@@ -320,9 +320,9 @@ const auto materials = testing::Values(
     with_material("wrap_second_slip", "diffuse",
                   "texture = \"a.png\"\nwrap = [\"clamp\", \"miror\"]",
                   ":4:18: unknown wrap[1] 'miror', did you mean 'mirror'?"),
-    with_material("wrap_three", "diffuse",
-                  "texture = \"a.png\"\nwrap = [\"clamp\", \"clamp\", \"clamp\"]",
-                  ":4:8: wrap is an array, expected one or two strings of repeat, clamp, mirror"),
+    with_material(
+        "wrap_three", "diffuse", "texture = \"a.png\"\nwrap = [\"clamp\", \"clamp\", \"clamp\"]",
+        ":4:8: wrap is an array of 3, expected one or two strings of repeat, clamp, mirror"),
     with_material("wrap_of_number", "diffuse", "texture = \"a.png\"\nwrap = [1, \"clamp\"]",
                   ":4:9: wrap[0] is 1, expected one or two strings of repeat, clamp, mirror"));
 
