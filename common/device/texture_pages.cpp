@@ -88,9 +88,7 @@ TexturePages pages_of(const std::vector<Texture> &textures, const TextureLimits 
     if (textures.empty()) {
         return {};
     }
-    const std::size_t width =
-        std::ranges::max(textures, {}, [](const Texture &texture) { return texture.width; }).width
-        + std::size_t{2};
+    const std::size_t width = width_of(std::ranges::max(textures, {}, &Texture::width));
     const std::vector<Shelf> shelves = shelves_of(textures, width);
     const auto cost = [&](const TexturePages &pages) {
         return std::tuple(pages.layers > limits.layers, pages.texels(), pages.height);
