@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "scene/assimp_io.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <assimp/IOStream.hpp>
+#include <assimp/MemoryIOWrapper.h>
+
+#include "scene/gltf_input.h"
+#include "scene/obj_input.h"
+#include "scene/ply_input.h"
 
 namespace stagelight {
 namespace {
@@ -38,9 +46,83 @@ private:
 
 }  // namespace
 
+CheckedIOSystem::CheckedIOSystem(const std::filesystem::path &file, MeshNotes &notes,
+                                 bool &has_failed)
+    : notes_(notes), has_failed_(has_failed) {
+    prepare(file);
+}
+
+std::string CheckedIOSystem::read(const std::string &file) {
+    const std::unique_ptr<Assimp::IOStream> stream(files_.Open(file.c_str(), "rb"));
+    if (!stream) {
+        return "";
+    }
+    std::string bytes(stream->FileSize(), '\0');
+    const std::size_t size = stream->Read(bytes.data(), 1, bytes.size());
+    has_failed_ = has_failed_ || size < bytes.size();
+    bytes.resize(size);
+    return bytes;
+}
+
+void CheckedIOSystem::prepare(const std::filesystem::path &file) {
+    const std::string extension = file_extension(file);
+    const auto serve = [&](std::optional<std::string> bytes) {
+        if (bytes) {
+            prepared_[file.string()] = std::move(*bytes);
+        }
+    };
+    notes_.is_fbx = extension == "fbx";
+    if (extension == "obj") {
+        is_obj_ = true;
+        serve(prepared_obj(read(file.string()), notes_));
+    } else if (extension == "ply") {
+        serve(prepared_ply(read(file.string()), notes_));
+    } else if (extension == "gltf" || extension == "glb") {
+        notes_.is_gltf = true;
+        const auto read_beside = [&](const std::string &name) {
+            return read((file.parent_path() / name).string());
+        };
+        if (std::optional input = prepared_gltf(read(file.string()), read_beside, notes_)) {
+            prepared_[std::string(converted_buffer)] = std::move(input->converted);
+            serve(std::move(input->bytes));
+        }
+    }
+}
+
+const std::string *CheckedIOSystem::prepared(const std::string &file) const {
+    auto found = prepared_.find(file);
+    if (found == prepared_.end() && file.ends_with(converted_buffer)) {
+        found = prepared_.find(std::string(converted_buffer));
+    }
+    return found == prepared_.end() ? nullptr : &found->second;
+}
+
+bool CheckedIOSystem::Exists(const char *file) const {
+    return prepared(file) || files_.Exists(file);
+}
+
 Assimp::IOStream *CheckedIOSystem::Open(const char *file, const char *mode) {
+    const auto open_prepared = [&](const std::string &bytes) {
+        return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t *>(bytes.data()),
+                                          bytes.size());
+    };
+    if (const std::string *bytes = prepared(file)) {
+        return open_prepared(*bytes);
+    }
+    if (is_obj_ && file_extension(file) != "obj" && files_.Exists(file)) {  // its materials
+        return open_prepared(prepared_[file] = prepared_mtl(read(file), notes_));
+    }
     std::unique_ptr<Assimp::IOStream> opened(files_.Open(file, mode));
     return opened ? new CheckedIOStream(std::move(opened), has_failed_) : nullptr;
+}
+
+std::string file_extension(const std::filesystem::path &file) {
+    std::string extension = file.extension().string();
+    extension.erase(0, 1);
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
 }
 
 }  // namespace stagelight

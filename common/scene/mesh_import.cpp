@@ -11,8 +11,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <unistd.h>
 
+#include "scene/assimp_glm.h"
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
+#include "scene/mesh_formats.h"
 #include "scene/mesh_materials.h"
 #include "scene/placed_mesh.h"
 #include "scene/sandbox.h"
@@ -29,14 +31,6 @@ glm::dmat4 matrix_of(const Placement &placement) {
     matrix = glm::rotate(matrix, angles.y, glm::dvec3(0, 1, 0));
     matrix = glm::rotate(matrix, angles.x, glm::dvec3(1, 0, 0));
     return glm::scale(matrix, placement.scale);
-}
-
-// Assimp writes matrices row by row, GLM column by column.
-glm::dmat4 to_glm(const aiMatrix4x4 &m) {
-    return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4,  //
-                                     m.b1, m.b2, m.b3, m.b4,  //
-                                     m.c1, m.c2, m.c3, m.c4,  //
-                                     m.d1, m.d2, m.d3, m.d4));
 }
 
 // Calls `visit` with each mesh that the graph places, and how. Not recursive: graphs are deep.
@@ -74,7 +68,7 @@ void import_here(Scene &scene, const std::filesystem::path &file, const Placemen
     };
     const MeshFile meshes(file, where);
     allow_any_time();
-    MeshMaterials materials(scene, meshes.scene(), file, where);
+    MeshMaterials materials(scene, meshes, file, where);
     const bool needs_coordinates =
         material != material_of_file
         && scene.materials[static_cast<std::size_t>(material)].texture != no_texture;
@@ -88,6 +82,7 @@ void import_here(Scene &scene, const std::filesystem::path &file, const Placemen
     }
     const std::size_t triangles_before = scene.triangles.size();
     scene.meshes.push_back({.file = file, .where = where});
+    bool is_all_unseen = faces > scene.triangles.size();
     for_each_placed(
         meshes.scene(), matrix_of(placement), [&](const aiMesh &mesh, const glm::dmat4 &to_world) {
             if (needs_coordinates && !mesh.HasTextureCoords(0)) {
@@ -95,10 +90,15 @@ void import_here(Scene &scene, const std::filesystem::path &file, const Placemen
             }
             const Look look =
                 material == material_of_file ? materials.look_of(mesh) : Look{.material = material};
-            if (!append_placed(scene, mesh, to_world, look)) {
+            is_all_unseen = is_all_unseen && !look.is_seen;
+            if (look.is_seen && !append_placed(scene, mesh, to_world, look)) {
                 refuse("is placed out of reach, expected coordinates of at most 1e18");
             }
         });
+    if (is_all_unseen) {
+        refuse("is transparent as a whole, expected a material that is seen");
+    }
+    materials.finish();
     if (scene.triangles.size() == triangles_before) {
         refuse("has no triangles, expected at least one with an area");
     }
@@ -113,11 +113,14 @@ void import_mesh(Scene &scene, const std::filesystem::path &file, const Placemen
     if (!std::filesystem::is_regular_file(file, error)) {
         throw UserError(what + ": no such file, expected a mesh");
     }
-    const std::string bytes = run_sandboxed(what, std::filesystem::file_size(file, error), [&] {
-        const SceneSizes before(scene);
-        import_here(scene, file, placement, material, where);
-        return serialise_since(before, scene);
-    });
+    const std::string bytes = run_sandboxed(
+        what, std::filesystem::file_size(file, error),
+        [&] {
+            const SceneSizes before(scene);
+            import_here(scene, file, placement, material, where);
+            return serialise_since(before, scene);
+        },
+        expected_instead_of(file).value_or("an undamaged file"));
     scene.meshes.push_back({.file = file, .where = where});
     if (!append_serialised(scene, bytes, where)) {
         throw UserError(what + ": can't be read: the reader went astray, expected another mesh");

@@ -14,16 +14,13 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "scene/assimp_glm.h"
 #include "scene/normalize.h"
 #include "scene/validators.h"
 
 namespace stagelight {
 
 namespace {
-
-glm::dvec3 to_glm(const aiVector3D &v) {
-    return {v.x, v.y, v.z};
-}
 
 bool is_finite(const glm::dvec3 &v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -44,10 +41,12 @@ glm::dvec3 perpendicular(const std::array<glm::dvec3, 3> &corners) {
 
 // What makes a vertex the same as another. Assimp's JoinIdenticalVertices also joins some that
 // are less than 1e-5 apart, which is all of a mesh that is small enough.
-using Key = std::array<float, 8>;
+using Key = std::array<float, 11>;
 
-Key key_of(const aiVector3D &position, const aiVector3D &normal, const aiVector3D &uv) {
-    Key key{position.x, position.y, position.z, normal.x, normal.y, normal.z, uv.x, uv.y};
+Key key_of(const aiVector3D &position, const aiVector3D &normal, const aiVector3D &uv,
+           const aiColor4D &color) {
+    Key key{position.x, position.y, position.z, normal.x, normal.y, normal.z,
+            uv.x,       uv.y,       color.r,    color.g,  color.b};
     std::transform(key.begin(), key.end(), key.begin(), [](float v) { return v + 0.0F; });  // no -0
     return key;
 }
@@ -58,6 +57,11 @@ struct KeyHash {
             {reinterpret_cast<const char *>(key.data()), sizeof key});
     }
 };
+
+// IEC 61966-2-1.
+double linear_of_srgb(double value) {
+    return value > 0.04045 ? std::pow((value + 0.055) / 1.055, 2.4) : value / 12.92;
+}
 
 class PlacedMesh {
 public:
@@ -103,18 +107,30 @@ private:
     // Shared by the triangles that use it; `facing` serves where the file's normal is no direction.
     std::uint32_t vertex(unsigned index, const glm::dvec3 &position, const glm::dvec3 &facing) {
         const aiVector3D uv = coordinates(index);
+        const aiColor4D color = look_.has_colors ? mesh_.mColors[0][index] : aiColor4D(1, 1, 1, 1);
         const auto [known, is_new] =
-            index_of_.try_emplace(key_of(mesh_.mVertices[index], mesh_.mNormals[index], uv),
+            index_of_.try_emplace(key_of(mesh_.mVertices[index], mesh_.mNormals[index], uv, color),
                                   static_cast<std::uint32_t>(scene_.vertices.size()));
         if (is_new) {
             const glm::dvec3 normal = normals_to_world_ * to_glm(mesh_.mNormals[index]);
             scene_.vertices.push_back({.position = position,
                                        .normal = normalize(is_direction(normal) ? normal : facing),
-                                       .texture_coordinates = {uv.x, uv.y}});
+                                       .texture_coordinates = glm::dvec2(
+                                           look_.texture_transform * glm::dvec3(uv.x, uv.y, 1)),
+                                       .color = linear(color)});
         }
         return known->second;
     }
     // #endregion shared_vertex
+
+    // As three.js, we take colours for sRGB but in glTF, which says that they are linear.
+    glm::dvec3 linear(const aiColor4D &color) const {
+        const auto channel = [&](float value) {
+            const double within = std::isfinite(value) ? std::clamp(double{value}, 0.0, 1.0) : 0.0;
+            return look_.are_colors_linear ? within : linear_of_srgb(within);
+        };
+        return {channel(color.r), channel(color.g), channel(color.b)};
+    }
 
     aiVector3D coordinates(unsigned index) const {
         if (!mesh_.HasTextureCoords(look_.coordinates)) {

@@ -135,7 +135,8 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         read_mesh(scene, table, materials);
         progress.step();
     }
-    scene.warnings = orient_dielectrics(scene);
+    const std::vector<std::string> turned = orient_dielectrics(scene);
+    scene.warnings.insert(scene.warnings.end(), turned.begin(), turned.end());
     settle_contacts(scene);
     cut_large_triangles(scene);
     if (scene.materials.empty()) {

@@ -66,6 +66,7 @@ private:
 struct FileMaterial {
     glm::dvec3 color{1, 1, 1};
     int texture = no_texture;
+    double alpha_cutoff = 0;
 };
 
 bool is_below(int index, std::size_t size) {
@@ -84,6 +85,8 @@ bool are_sound(const Scene &scene, std::span<const Triangle> triangles) {
 
 void put(Writer &writer, const Texture &texture) {
     writer.put(std::span<const char>(texture.file.native()));
+    writer.put(texture.wrap_u);
+    writer.put(texture.wrap_v);
     writer.put(texture.width);
     writer.put(texture.height);
     writer.put(std::span<const char>(texture.where.file));
@@ -97,6 +100,8 @@ Texture take_texture(Reader &reader) {
     Texture texture;
     reader.take(file);
     texture.file = file;
+    texture.wrap_u = reader.take_one<Wrap>();
+    texture.wrap_v = reader.take_one<Wrap>();
     texture.width = reader.take_one<int>();
     texture.height = reader.take_one<int>();
     reader.take(texture.where.file);
@@ -106,8 +111,13 @@ Texture take_texture(Reader &reader) {
     return texture;
 }
 
+bool is_sound(Wrap wrap) {
+    return wrap == Wrap::repeat || wrap == Wrap::clamp || wrap == Wrap::mirror;
+}
+
 bool is_sound(const Texture &texture) {
-    return texture.width > 0 && texture.height > 0
+    return is_sound(texture.wrap_u) && is_sound(texture.wrap_v) && texture.width > 0
+           && texture.height > 0
            && texture.texels.size()
                   == std::size_t{4} * static_cast<unsigned>(texture.width)
                          * static_cast<unsigned>(texture.height);
@@ -117,7 +127,8 @@ bool is_sound(const Texture &texture) {
 
 SceneSizes::SceneSizes(const Scene &scene)
     : materials(scene.materials.size()), vertices(scene.vertices.size()),
-      triangles(scene.triangles.size()), textures(scene.textures.size()) {}
+      triangles(scene.triangles.size()), textures(scene.textures.size()),
+      warnings(scene.warnings.size()) {}
 
 std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     Writer writer;
@@ -125,11 +136,15 @@ std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     writer.put(std::span(scene.triangles).subspan(before.triangles));
     writer.put(scene.materials.size() - before.materials);
     for (const Material &material : std::span(scene.materials).subspan(before.materials)) {
-        writer.put(FileMaterial{material.color, material.texture});
+        writer.put(FileMaterial{material.color, material.texture, material.alpha_cutoff});
     }
     writer.put(scene.textures.size() - before.textures);
     for (const Texture &texture : std::span(scene.textures).subspan(before.textures)) {
         put(writer, texture);
+    }
+    writer.put(scene.warnings.size() - before.warnings);
+    for (const std::string &warning : std::span(scene.warnings).subspan(before.warnings)) {
+        writer.put(std::span<const char>(warning));
     }
     return std::move(writer.bytes);
 }
@@ -142,13 +157,19 @@ bool append_serialised(Scene &scene, std::string_view bytes, const SourceLocatio
     bool is_whole = reader.is_sound();
     for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
         const auto material = reader.take_one<FileMaterial>();
-        scene.materials.push_back(
-            {.color = material.color, .texture = material.texture, .where = where});
+        scene.materials.push_back({.color = material.color,
+                                   .texture = material.texture,
+                                   .alpha_cutoff = material.alpha_cutoff,
+                                   .where = where});
         is_whole = reader.is_sound();
     }
     for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
         scene.textures.push_back(take_texture(reader));
         is_whole = reader.is_sound() && is_sound(scene.textures.back());
+    }
+    for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
+        reader.take(scene.warnings.emplace_back());
+        is_whole = reader.is_sound();
     }
     return is_whole && reader.is_sound() && reader.is_at_end()
            && are_sound(scene, std::span(scene.triangles).subspan(before.triangles))
