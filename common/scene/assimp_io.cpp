@@ -72,6 +72,7 @@ void CheckedIOSystem::prepare(const std::filesystem::path &file) {
         }
     };
     notes_.is_fbx = extension == "fbx";
+    notes_.is_collada = extension == "dae";
     if (extension == "obj") {
         is_obj_ = true;
         serve(prepared_obj(read(file.string()), notes_));

@@ -17,32 +17,37 @@
 namespace stagelight {
 namespace {
 
-struct Use {
-    aiNode *node;
-    glm::dmat4 to_root;
-};
+// Up to the root, as the root sees it. Assimp's reader of MDL hangs all joints on one node, and
+// lets each name its parent nevertheless.
+glm::dmat4 to_root(const aiNode &node) {
+    glm::dmat4 matrix(1);
+    for (const aiNode *each = &node; each->mParent; each = each->mParent) {
+        matrix = to_glm(each->mTransformation) * matrix;
+    }
+    return matrix;
+}
 
-// Where nodes are, as the root sees them, and which place meshes.
+// The first node of each name, and that places each mesh, from the root down.
 struct Graph {
     explicit Graph(aiNode &root) {
-        std::vector<Use> open{{&root, glm::dmat4(1)}};
+        std::vector<aiNode *> open{&root};
         while (!open.empty()) {
-            const Use use = open.back();
+            aiNode *node = open.back();
             open.pop_back();
-            by_name.try_emplace(use.node->mName.C_Str(), use.to_root);
-            for (const unsigned mesh : std::span(use.node->mMeshes, use.node->mNumMeshes)) {
-                by_mesh.try_emplace(mesh, use);
+            by_name.try_emplace(node->mName.C_Str(), node);
+            for (const unsigned mesh : std::span(node->mMeshes, node->mNumMeshes)) {
+                by_mesh.try_emplace(mesh, node);
             }
-            for (aiNode *child : std::span(use.node->mChildren, use.node->mNumChildren)) {
-                if (child) {
-                    open.push_back({child, use.to_root * to_glm(child->mTransformation)});
+            for (unsigned i = node->mNumChildren; i-- > 0;) {
+                if (node->mChildren[i]) {
+                    open.push_back(node->mChildren[i]);
                 }
             }
         }
     }
 
-    std::unordered_map<std::string, glm::dmat4> by_name;
-    std::unordered_map<unsigned, Use> by_mesh;  // the first
+    std::unordered_map<std::string, aiNode *> by_name;
+    std::unordered_map<unsigned, aiNode *> by_mesh;
 };
 
 void pose(aiMesh &mesh, const std::vector<glm::dmat4> &joints, const glm::dmat4 &without_joints) {
@@ -95,23 +100,23 @@ bool pose_by_joints(const aiScene &scene) {
     bool all_have_nodes = true;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         aiMesh &mesh = *scene.mMeshes[i];
-        const auto use = graph.by_mesh.find(i);
-        if (!mesh.HasBones() || use == graph.by_mesh.end()) {
+        const auto holder = graph.by_mesh.find(i);
+        if (!mesh.HasBones() || holder == graph.by_mesh.end()) {
             continue;
         }
         std::vector<glm::dmat4> joints;
         for (const aiBone *bone : std::span(mesh.mBones, mesh.mNumBones)) {
             const auto found = graph.by_name.find(bone->mName.C_Str());
             if (found != graph.by_name.end()) {
-                joints.push_back(found->second * to_glm(bone->mOffsetMatrix));
+                joints.push_back(to_root(*found->second) * to_glm(bone->mOffsetMatrix));
             }
         }
         if (joints.size() < mesh.mNumBones) {
             all_have_nodes = false;
             continue;
         }
-        pose(mesh, joints, use->second.to_root);
-        remove_mesh(*use->second.node, i);
+        pose(mesh, joints, to_root(*holder->second));
+        remove_mesh(*holder->second, i);
         add_mesh(*scene.mRootNode, i);
     }
     return all_have_nodes;

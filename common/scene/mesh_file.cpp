@@ -288,6 +288,12 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
         if (other_format && (!is_read || scene().mNumMeshes == 0)) {
             refuse("can't be read, expected " + *other_format);
         }
+        if (!is_read
+            && std::string_view(importer_.GetErrorString()).find("Draco")
+                   != std::string_view::npos) {
+            refuse("requires KHR_draco_mesh_compression, which Assimp was built without, expected "
+                   "plain buffers: gltf-transform copy writes them");
+        }
         if (!is_read) {
             refuse(fmt::format("can't be read, expected a mesh that Assimp reads ({})",
                                importer_.GetErrorString()));

@@ -95,10 +95,12 @@ void import_here(Scene &scene, const std::filesystem::path &file, const Placemen
                 refuse("is placed out of reach, expected coordinates of at most 1e18");
             }
         });
-    if (is_all_unseen) {
-        refuse("is transparent as a whole, expected a material that is seen");
-    }
     materials.finish();
+    if (is_all_unseen) {
+        scene.warnings.push_back(fmt::format("{}: {}: is transparent as a whole: nothing is drawn",
+                                             to_string(where), file.string()));
+        return;
+    }
     if (scene.triangles.size() == triangles_before) {
         refuse("has no triangles, expected at least one with an area");
     }

@@ -240,6 +240,12 @@ void MeshMaterials::set_alpha(const aiMaterial &material, Material &added, Look 
     const bool is_mask = has_mode && mode == aiString("MASK");
     float cutoff = 0.5F;
     material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+    if (notes_.is_collada && opacity <= 0) {
+        warnings_.insert(
+            "says of a material that it can't be seen, as many exporters of Collada do "
+            "by mistake: it is drawn solid");
+        opacity = 1;
+    }
     look.is_seen = is_mask ? opacity >= cutoff : !(opacity <= 0);
     if (!look.is_seen) {
         return;

@@ -24,6 +24,7 @@ struct MeshNotes {
     std::size_t vertices_in_file = 0;  // of an OBJ: Assimp keeps those alone that faces use
     bool has_strips = false;           // the polygons of a PLY are triangle strips
     bool is_gltf = false;              // whose vertex colours are linear
+    bool is_collada = false;           // whose transparency exporters disagree on
     bool is_fbx = false;               // which says which way is up
 };
 

@@ -206,7 +206,11 @@ bool is_face_even(std::string_view line, const Obj &obj) {
 }
 
 bool is_right(std::string_view line, const Obj &obj) {
-    switch (kind_of(line)) {
+    const Line kind = kind_of(line);
+    if (kind != Line::other && line.find('#') != std::string_view::npos) {
+        return false;  // Assimp counts a comment's numbers
+    }
+    switch (kind) {
     case Line::position:
         return count_words(line) == (obj.has_colors ? with_color : 4) && !has_leading_point(line);
     case Line::coordinates: {
@@ -230,6 +234,8 @@ std::string right(std::string_view line, const Obj &obj) {
                                               : numbers({"", words[4], words[5], words[6]}, 3));
     case Line::coordinates:
         return numbers(words, words.size() > 3 ? 3 : 2);
+    case Line::normal:
+        return numbers(words, 3);
     default:
         return face(line, obj);
     }
