@@ -156,6 +156,31 @@ void make_floats(json &document, GltfAccessors &accessors) {
     });
 }
 
+// Vertices have colours here, and no alpha.
+void note_transparent_vertices(const json &document, GltfAccessors &accessors, MeshNotes &notes) {
+    for (const json &mesh : document.at("meshes")) {
+        for (const json &primitive : mesh.at("primitives")) {
+            const json &attributes = primitive.at("attributes");
+            if (!attributes.contains("COLOR_0") || !primitive.contains("material")
+                || document.at("materials")
+                           .at(primitive.at("material").get<std::size_t>())
+                           .value("alphaMode", "OPAQUE")
+                       == "OPAQUE") {
+                continue;
+            }
+            const auto accessor = attributes.at("COLOR_0").get<std::size_t>();
+            const std::vector<float> colors = accessors.floats(accessor);
+            if (document.at("accessors").at(accessor).at("type") == "VEC4") {
+                for (std::size_t i = 3; i < colors.size(); i += 4) {
+                    if (colors[i] < 1) {
+                        notes.warnings.insert("has transparent vertices, which are drawn solid");
+                    }
+                }
+            }
+        }
+    }
+}
+
 // Joints are found by their node's name. A node without one, or with another's, would get none.
 void name_nodes_apart(json &document) {
     std::size_t number = 0;
@@ -346,6 +371,7 @@ std::optional<GltfInput> prepared(const Chunks &chunks, const ReadBeside &read_b
     GltfAccessors accessors(document, chunks.binary, read_beside);
     note_animations(document, notes);
     make_floats(document, accessors);
+    note_transparent_vertices(document, accessors, notes);
     place_instances(document, accessors);
     name_nodes_apart(document);
     part_meshes(document);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <string_view>
 
 #include "scene/assimp_io.h"
@@ -48,6 +49,11 @@ constexpr std::array<Format, 17> formats{{{"usd", from_usd},
 }  // namespace
 
 std::optional<std::string> expected_instead_of(const std::filesystem::path &file) {
+    std::array<char, 2> start{};
+    std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+    if (start == std::array{'\xff', '\xfe'} || start == std::array{'\xfe', '\xff'}) {
+        return "text in UTF-8: this is UTF-16, which iconv -f UTF-16 -t UTF-8 turns into it";
+    }
     const auto *const found = std::ranges::find(formats, file_extension(file), &Format::extension);
     return found == formats.end() ? std::nullopt : std::optional<std::string>(found->advice);
 }

@@ -70,6 +70,34 @@ Texture read_embedded(const aiTexture &texture, const fs::path &name, const Sour
     return raw;
 }
 
+enum class AlphaMode { opaque, mask, blend };
+
+// What is less than `cutoff` is not there.
+struct Alpha {
+    AlphaMode mode = AlphaMode::blend;
+    double opacity = 1;         // multiplies the texture's
+    double cutoff = 0.5 / 255;  // half of the least step that a texture has
+};
+
+// glTF says what alpha stands for; in other formats it blends.
+Alpha alpha_of(const aiMaterial &material) {
+    Alpha alpha;
+    float opacity = 1, cutoff = 0.5F;
+    if (material.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && std::isfinite(opacity)) {
+        alpha.opacity = opacity;
+    }
+    aiString mode;
+    material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode);
+    if (mode == aiString("OPAQUE")) {
+        alpha.mode = AlphaMode::opaque;
+    } else if (mode == aiString("MASK")) {
+        alpha.mode = AlphaMode::mask;
+        material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+        alpha.cutoff = cutoff;
+    }
+    return alpha;
+}
+
 std::string name_of(const aiMaterial &material) {
     aiString name;
     material.Get(AI_MATKEY_NAME, name);
@@ -137,12 +165,16 @@ Look MeshMaterials::add(const aiMaterial &material, bool with_texture, bool has_
     if (has_colors && name_of(material) == AI_DEFAULT_MATERIAL_NAME) {
         added.color = glm::dvec3(1);  // Assimp's grey for a file without materials
     }
+    look.is_seen = is_seen(material);
+    if (!look.is_seen) {
+        return look;
+    }
     if (with_texture) {
         added.texture = texture_of(material, look);
     } else if (material.GetTextureCount(aiTextureType_DIFFUSE) > 0) {
         warnings_.insert("has textures on meshes without texture coordinates, which aren't drawn");
     }
-    set_alpha(material, added, look);
+    set_alpha(material, added);
     note_what_is_lost(material);
     scene_.materials.push_back(added);
     return look;
@@ -228,37 +260,34 @@ int MeshMaterials::with_mask(int texture, const aiString &color, const aiString 
     return static_cast<int>(textures.size() - 1);
 }
 
-void MeshMaterials::set_alpha(const aiMaterial &material, Material &added, Look &look) {
-    constexpr double half_a_step = 0.5 / 255;
-    aiString mode;
-    const bool has_mode = material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS;
-    if (has_mode && mode == aiString("OPAQUE")) {
-        return;
-    }
-    float opacity = 1;
-    material.Get(AI_MATKEY_OPACITY, opacity);
-    const bool is_mask = has_mode && mode == aiString("MASK");
-    float cutoff = 0.5F;
-    material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
-    if (notes_.is_collada && opacity <= 0) {
+bool MeshMaterials::is_seen(const aiMaterial &material) {
+    const Alpha alpha = alpha_of(material);
+    if (notes_.is_collada && alpha.opacity <= 0) {
         warnings_.insert(
             "says of a material that it can't be seen, as many exporters of Collada do "
             "by mistake: it is drawn solid");
-        opacity = 1;
+        return true;
     }
-    look.is_seen = is_mask ? opacity >= cutoff : !(opacity <= 0);
-    if (!look.is_seen) {
+    return alpha.mode == AlphaMode::opaque || alpha.opacity >= alpha.cutoff;
+}
+
+// Cut-outs are for textures that need them.
+void MeshMaterials::set_alpha(const aiMaterial &material, Material &added) {
+    const Alpha alpha = alpha_of(material);
+    if (alpha.mode == AlphaMode::opaque) {
         return;
     }
-    const AlphaRange alpha =
+    const AlphaRange range =
         added.texture == no_texture
             ? AlphaRange{}
             : alpha_range(scene_.textures[static_cast<std::size_t>(added.texture)]);
-    const double wanted = is_mask ? double{cutoff} / double{opacity} : half_a_step;
-    if (alpha.least < 255 * wanted) {
-        added.alpha_cutoff = wanted;
+    const double cutoff =
+        alpha.mode == AlphaMode::mask ? alpha.cutoff / alpha.opacity : alpha.cutoff;
+    if (range.least < 255 * cutoff) {
+        added.alpha_cutoff = cutoff;
     }
-    if (!is_mask && (alpha.has_partial || opacity < 1)) {
+    if (alpha.mode == AlphaMode::blend
+        && (range.has_partial || (alpha.opacity < 1 && alpha.opacity > 0))) {
         warnings_.insert("is partly transparent, which isn't blended here: what is there at all is "
                          "drawn solid");
     }

@@ -45,7 +45,8 @@ private:
     int with_wrap(int texture, Wrap wrap_u, Wrap wrap_v, std::size_t known_textures);
     int with_mask(int texture, const aiString &color, const aiString &mask,
                   std::size_t known_textures);
-    void set_alpha(const aiMaterial &material, Material &added, Look &look);
+    bool is_seen(const aiMaterial &material);
+    void set_alpha(const aiMaterial &material, Material &added);
     void note_what_is_lost(const aiMaterial &material);
     int load(const aiString &texture);
 
