@@ -271,9 +271,11 @@ TEST_F(MeshFormats, FormatsThatAreNotReadAreToldWithAWayOut) {
 // Assimp's reader of OpenGEX ends the process on this.
 TEST_F(MeshFormats, AReaderThatCrashesIsToldWithAWayOut) {
     const std::string message =
-        refusal("a.ogex", "GeometryObject /*mesh*/ {\n Mesh (primitive = \"triangle_strip\") {\n"
-                          "  VertexArray (attrib = \"position\") { float[3] {\n   {0.0, 1.0, 3.0}\n"
-                          "  }}\n }\n}\n");
+        refusal("a.ogex", "GeometryObject {\n Mesh (primitive = \"triangles\") {\n"
+                          "  VertexArray (attrib = \"position\") { float[3] {\n"
+                          "   {0.0, 1.0, 3.0}, {-1.0, 2.0, 2.0}, {3.0, 3.0, 1.0}\n  }}\n"
+                          "  IndexArray { unsigned_int16[3] { {0,1,2} }}\n }\n}\n");
+    EXPECT_NE(message.find("crashed"), std::string::npos) << message;
     EXPECT_NE(message.find("Blender turns it into glTF"), std::string::npos) << message;
 }
 

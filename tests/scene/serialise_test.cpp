@@ -16,11 +16,16 @@ Scene sound_scene() {
     Scene scene;
     scene.vertices.resize(4);
     scene.vertices[3].position = {1, 2, 3};
+    scene.vertices[3].color = {0.5, 0.25, 0.125};
     scene.meshes.push_back({.file = "a.obj", .where = here});
-    scene.materials.push_back({.color = {1, 0.5, 0.25}, .texture = 0, .where = here});
+    scene.materials.push_back(
+        {.color = {1, 0.5, 0.25}, .texture = 0, .alpha_cutoff = 0.25, .where = here});
     scene.triangles.push_back({.vertices = {0, 1, 2}});
     scene.triangles.push_back({.vertices = {1, 2, 3}});
+    scene.warnings.emplace_back("of the file");
     scene.textures.push_back({.file = "a.png",
+                              .wrap_u = Wrap::clamp,
+                              .wrap_v = Wrap::mirror,
                               .width = 2,
                               .height = 1,
                               .texels = {1, 2, 3, 4, 5, 6, 7, 8},
@@ -52,7 +57,12 @@ TEST(Serialise, BringsAScenePartBack) {
     EXPECT_EQ(scene.triangles[1].vertices, (std::array<std::uint32_t, 3>{1, 2, 3}));
     ASSERT_EQ(scene.materials.size(), 1U);
     EXPECT_EQ(scene.materials[0].color, glm::dvec3(1, 0.5, 0.25));
+    EXPECT_EQ(scene.vertices[3].color, glm::dvec3(0.5, 0.25, 0.125));
+    EXPECT_EQ(scene.materials[0].alpha_cutoff, 0.25);
+    EXPECT_EQ(scene.warnings, std::vector<std::string>{"of the file"});
     ASSERT_EQ(scene.textures.size(), 1U);
+    EXPECT_EQ(scene.textures[0].wrap_u, Wrap::clamp);
+    EXPECT_EQ(scene.textures[0].wrap_v, Wrap::mirror);
     EXPECT_EQ(scene.textures[0].texels, sound_scene().textures[0].texels);
     EXPECT_EQ(scene.textures[0].file, "a.png");
     EXPECT_EQ(scene.textures[0].where.column, 1U);
@@ -73,6 +83,7 @@ TEST(Serialise, RefusesWhatPointsPastTheEnd) {
 TEST(Serialise, RefusesATextureOfAnotherSize) {
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].width = 3; }));
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].height = 2; }));
+    EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].wrap_u = static_cast<Wrap>(3); }));
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].texels.pop_back(); }));
     EXPECT_FALSE(is_taken_with([](Scene &s) {
         s.textures[0].width = 0;
