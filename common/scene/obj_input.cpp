@@ -78,20 +78,20 @@ std::string numbers(const std::vector<std::string_view> &words, std::size_t coun
 enum class Line { position, coordinates, normal, face, other };
 
 Line kind_of(std::string_view line) {
-    const auto starts_with = [&](std::string_view key) {
-        return line.size() > key.size() && line.starts_with(key)
-               && blanks.find(line[key.size()]) != std::string_view::npos;
-    };
-    // Assimp puts lines together that end with a backslash.
-    if (line.empty() || (line[0] != 'v' && line[0] != 'f')
-        || without_blanks(line).ends_with('\\')) {
+    if (line.size() < 3 || (line[0] != 'v' && line[0] != 'f')) {
         return Line::other;
     }
-    return starts_with("v")    ? Line::position
-           : starts_with("vt") ? Line::coordinates
-           : starts_with("vn") ? Line::normal
-           : starts_with("f")  ? Line::face
-                               : Line::other;
+    const std::size_t last = line.find_last_not_of(blanks);
+    if (last != std::string_view::npos && line[last] == '\\') {
+        return Line::other;  // Assimp puts such lines together
+    }
+    if (blanks.find(line[1]) != std::string_view::npos) {
+        return line[0] == 'v' ? Line::position : Line::face;
+    }
+    const bool has_two_letters = line[0] == 'v' && blanks.find(line[2]) != std::string_view::npos;
+    return has_two_letters && line[1] == 't'   ? Line::coordinates
+           : has_two_letters && line[1] == 'n' ? Line::normal
+                                               : Line::other;
 }
 
 // Which of a corner's indices are there: a/b/c, a/b, a//c or a.
@@ -107,7 +107,6 @@ struct Corner {
 };
 
 struct Obj {
-    std::size_t positions = 0;
     std::array<std::size_t, 3> counts{};  // of positions, coordinates and normals
     bool has_colors = false;
 };
@@ -175,36 +174,6 @@ std::string face(std::string_view line, const Obj &obj) {
     return text;
 }
 
-// Without taking the line apart: the corners of most faces look like the first.
-bool is_face_even(std::string_view line, const Obj &obj) {
-    int form = -1;
-    for (std::size_t at = 1; at < line.size();) {
-        at = line.find_first_not_of(blanks, at);
-        if (at == std::string_view::npos || line[at] == '#') {
-            break;
-        }
-        const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
-        const std::string_view word = line.substr(at, end - at);
-        const std::size_t slash = word.find('/');
-        int has = 0;
-        if (slash != std::string_view::npos) {
-            const std::size_t second = word.find('/', slash + 1);
-            const bool has_coordinates = std::min(second, word.size()) > slash + 1;
-            const bool has_normal = second != std::string_view::npos && second + 1 < word.size();
-            has = (has_coordinates ? 1 : 0) + (has_normal ? 2 : 0);
-            if ((has_coordinates && obj.counts[1] == 0) || (has_normal && obj.counts[2] == 0)) {
-                return false;
-            }
-        }
-        if (form >= 0 && has != form) {
-            return false;
-        }
-        form = has;
-        at = end;
-    }
-    return true;
-}
-
 bool is_right(std::string_view line, const Obj &obj) {
     const Line kind = kind_of(line);
     if (kind != Line::other && line.find('#') != std::string_view::npos) {
@@ -218,7 +187,7 @@ bool is_right(std::string_view line, const Obj &obj) {
         return (words == 3 || words == 4) && !has_leading_point(line);
     }
     case Line::face:
-        return is_face_even(line, obj);
+        return false;
     default:
         return true;
     }
@@ -243,30 +212,117 @@ std::string right(std::string_view line, const Obj &obj) {
 
 }  // namespace
 
-std::optional<std::string> prepared_obj(std::string_view text, MeshNotes &notes) {
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+// What one look at each byte tells of a file: most are long, and right as they are.
+class ObjScan {
+public:
+    explicit ObjScan(std::string_view text) {
+        for_each_line(text, [&](std::string_view line) {
+            if (!line.empty() && is_blank(line[0])) {
+                is_odd_ = true;  // Assimp takes no notice of such a line
+                line = without_blanks(line);
+            }
+            switch (kind_of(line)) {
+            case Line::position:
+                scan_position(line);
+                break;
+            case Line::coordinates:
+                ++obj.counts[1];
+                scan_numbers(line, 3, 4);
+                break;
+            case Line::normal:
+                ++obj.counts[2];
+                break;
+            case Line::face:
+                scan_face(line);
+                break;
+            case Line::other:
+                break;
+            }
+        });
+        obj.has_colors = colored_ > 0;
+        is_right = !is_odd_ && (colored_ == 0 || colored_ == obj.counts[0])
+                   && !(uses_[1] && obj.counts[1] == 0) && !(uses_[2] && obj.counts[2] == 0);
+    }
+
     Obj obj;
-    for_each_line(text, [&](std::string_view line) {
-        const Line kind = kind_of(line);
-        obj.counts[0] += kind == Line::position ? 1 : 0;
-        obj.counts[1] += kind == Line::coordinates ? 1 : 0;
-        obj.counts[2] += kind == Line::normal ? 1 : 0;
-        obj.has_colors =
-            obj.has_colors || (kind == Line::position && count_words(line) >= with_color);
-    });
+    bool is_right = false;
+
+private:
+    std::size_t scan_numbers(std::string_view line, std::size_t least, std::size_t most) {
+        std::size_t words = 0;
+        bool was_blank = true;
+        for (const char c : line) {
+            const bool blank = is_blank(c);
+            words += was_blank && !blank ? 1 : 0;
+            is_odd_ = is_odd_ || c == '#' || (was_blank && c == '.');
+            was_blank = blank;
+        }
+        is_odd_ = is_odd_ || words < least || words > most;
+        return words;
+    }
+
+    void scan_position(std::string_view line) {
+        const std::size_t words = scan_numbers(line, 4, with_color);
+        ++obj.counts[0];
+        colored_ += words >= with_color ? 1 : 0;
+        is_odd_ = is_odd_ || (words > 4 && words < with_color);
+    }
+
+    void scan_face(std::string_view line) {
+        std::array<bool, 3> has{};  // an index of the position, coordinates, normal
+        std::size_t at = 0;
+        int first_form = -1;
+        const auto end_word = [&] {
+            if (has[0]) {
+                const int form = (has[1] ? 1 : 0) + (has[2] ? 2 : 0);
+                is_odd_ = is_odd_ || (first_form >= 0 && form != first_form);
+                first_form = form;
+                uses_[1] = uses_[1] || has[1];
+                uses_[2] = uses_[2] || has[2];
+            }
+            has = {};
+            at = 0;
+        };
+        for (const char c : line.substr(1)) {
+            if (is_blank(c)) {
+                end_word();
+            } else if (c == '/') {
+                at = std::min<std::size_t>(at + 1, 2);
+            } else {
+                is_odd_ = is_odd_ || c == '#';
+                has[at] = true;
+            }
+        }
+        end_word();
+    }
+
+    std::size_t colored_ = 0;
+    bool is_odd_ = false;
+    std::array<bool, 3> uses_{};
+};
+
+}  // namespace
+
+std::optional<std::string> prepared_obj(std::string_view text, MeshNotes &notes) {
+    const ObjScan scan(text);
+    const Obj &obj = scan.obj;
     notes.vertices_in_file = obj.counts[0];
+    if (scan.is_right) {
+        return std::nullopt;
+    }
     std::string prepared;
-    bool is_changed = false;
     for_each_line(text, [&](std::string_view line) {
-        if (!is_changed && !is_right(line, obj)) {
-            is_changed = true;
-            prepared = text.substr(0, static_cast<std::size_t>(line.data() - text.data()));
-        }
-        if (is_changed) {
-            prepared += is_right(line, obj) ? std::string(line) : right(line, obj);
-            prepared += '\n';
-        }
+        line = without_blanks(line);
+        prepared += is_right(line, obj) ? std::string(line) : right(line, obj);
+        prepared += '\n';
     });
-    return is_changed ? std::optional(std::move(prepared)) : std::nullopt;
+    return prepared;
 }
 
 namespace {

@@ -51,6 +51,10 @@ TEST_F(MeshFormats, ObjNumbersMayStartWithAPoint) {
     EXPECT_TRUE(is_near(corner(scene, 0, 0).texture_coordinates, glm::dvec2(0.5, 0.75)));
 }
 
+TEST_F(MeshFormats, ObjLinesMayBeIndented) {
+    EXPECT_EQ(load("a.obj", "  v 0 0 0\n\tv 1 0 0\nv 0 1 0\n  f 1 2 3\n").triangles.size(), 1U);
+}
+
 TEST_F(MeshFormats, ObjWeightIsIgnored) {
     const Scene scene = load("a.obj", "v 2 4 6 2\nv 1 0 0 0\nv 0 1 0 1\nf 1 2 3\n");
     EXPECT_TRUE(is_near(corner(scene, 0, 0).position, glm::dvec3(2, 4, 6)));
