@@ -104,6 +104,19 @@ std::string name_of(const aiMaterial &material) {
     return name.C_Str();
 }
 
+// The set of texture coordinates that its texture lies by.
+unsigned coordinates_of(const aiMaterial &material) {
+    for (const aiTextureType type :
+         {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR, aiTextureType_OPACITY}) {
+        aiString name;
+        unsigned set = 0;
+        if (material.GetTexture(type, 0, &name, nullptr, &set) == aiReturn_SUCCESS) {
+            return set;
+        }
+    }
+    return 0;
+}
+
 Wrap wrap_of(const aiMaterial &material, const char *key, unsigned type, unsigned index) {
     int mode = aiTextureMapMode_Wrap;
     material.Get(key, type, index, mode);
@@ -145,29 +158,32 @@ MeshMaterials::MeshMaterials(Scene &scene, const MeshFile &meshes, fs::path file
       where_(std::move(where)) {}
 
 Look MeshMaterials::look_of(const aiMesh &mesh) {
-    const std::tuple key{mesh.mMaterialIndex, mesh.HasTextureCoords(0), mesh.HasVertexColors(0)};
+    const aiMaterial &material = *meshes_.mMaterials[mesh.mMaterialIndex];
+    unsigned coordinates = coordinates_of(material);
+    coordinates = mesh.HasTextureCoords(coordinates) ? coordinates : 0;
+    const std::tuple key{mesh.mMaterialIndex, coordinates, mesh.HasTextureCoords(coordinates),
+                         mesh.HasVertexColors(0)};
     if (const auto known = looks_.find(key); known != looks_.end()) {
         return known->second;
     }
-    const Look look =
-        add(*meshes_.mMaterials[mesh.mMaterialIndex], std::get<1>(key), std::get<2>(key));
+    Look look{.coordinates = coordinates,
+              .has_colors = mesh.HasVertexColors(0),
+              .are_colors_linear = notes_.is_gltf};
+    add(material, mesh.HasTextureCoords(coordinates), look);
     looks_.emplace(key, look);
     return look;
 }
 
-Look MeshMaterials::add(const aiMaterial &material, bool with_texture, bool has_colors) {
+void MeshMaterials::add(const aiMaterial &material, bool with_texture, Look &look) {
+    look.is_seen = is_seen(material);
+    if (!look.is_seen) {
+        return;
+    }
     Material added;
     added.where = where_;
     added.color = color_of(material);
-    Look look{.material = static_cast<int>(scene_.materials.size()),
-              .has_colors = has_colors,
-              .are_colors_linear = notes_.is_gltf};
-    if (has_colors && name_of(material) == AI_DEFAULT_MATERIAL_NAME) {
+    if (look.has_colors && name_of(material) == AI_DEFAULT_MATERIAL_NAME) {
         added.color = glm::dvec3(1);  // Assimp's grey for a file without materials
-    }
-    look.is_seen = is_seen(material);
-    if (!look.is_seen) {
-        return look;
     }
     if (with_texture) {
         added.texture = texture_of(material, look);
@@ -176,8 +192,8 @@ Look MeshMaterials::add(const aiMaterial &material, bool with_texture, bool has_
     }
     set_alpha(material, added);
     note_what_is_lost(material);
+    look.material = static_cast<int>(scene_.materials.size());
     scene_.materials.push_back(added);
-    return look;
 }
 
 int MeshMaterials::texture_of(const aiMaterial &material, Look &look) {
@@ -187,8 +203,7 @@ int MeshMaterials::texture_of(const aiMaterial &material, Look &look) {
     aiString name;
     for (const aiTextureType type : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR}) {
         aiString found;
-        if (texture == no_texture
-            && material.GetTexture(type, 0, &found, nullptr, &look.coordinates) == aiReturn_SUCCESS
+        if (texture == no_texture && material.GetTexture(type, 0, &found) == aiReturn_SUCCESS
             && found.length > 0) {
             texture = load(found);
             used = type;

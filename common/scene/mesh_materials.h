@@ -40,7 +40,7 @@ public:
     void finish();
 
 private:
-    Look add(const aiMaterial &material, bool with_texture, bool has_colors);
+    void add(const aiMaterial &material, bool with_texture, Look &look);
     int texture_of(const aiMaterial &material, Look &look);
     int with_wrap(int texture, Wrap wrap_u, Wrap wrap_v, std::size_t known_textures);
     int with_mask(int texture, const aiString &color, const aiString &mask,
@@ -56,7 +56,7 @@ private:
     std::filesystem::path file_;
     SourceLocation where_;
     // A mesh without texture coordinates wears the colour alone.
-    std::map<std::tuple<unsigned, bool, bool>, Look> looks_;
+    std::map<std::tuple<unsigned, unsigned, bool, bool>, Look> looks_;
     std::map<std::pair<std::string, std::string>, std::filesystem::path>
         masked_;  // textures' `file`
     std::set<std::string> not_drawn_;

@@ -390,6 +390,7 @@ struct Mtl {
     std::optional<std::string> name;  // none before the first
     // Some programs write Tr for d: where there is a d, it is believed.
     std::optional<double> opacity, transparency;
+    bool has_texture = false;  // of colours
 
     void end_material() {
         if (opacity || transparency) {
@@ -397,6 +398,7 @@ struct Mtl {
         }
         opacity.reset();
         transparency.reset();
+        has_texture = false;
     }
 };
 
@@ -447,9 +449,10 @@ std::string prepared_mtl(std::string_view text, MeshNotes &notes) {
             mtl.transparency = number_of(next_word(rest));
         } else if (key == "map_kd" || key == "map_d") {
             const Map map = map_of(rest);
-            if (key == "map_kd") {
+            if (key == "map_kd" || !mtl.has_texture) {  // a mask alone is its own texture
                 notes.materials[*mtl.name].texture_transform = transform_of(map);
             }
+            mtl.has_texture = mtl.has_texture || key == "map_kd";
             mtl.text += fmt::format("{}{} {}\n", key == "map_d" ? "map_d" : "map_Kd",
                                     map.is_clamped ? " -clamp on" : "", map.file);
         } else if (const auto *found =

@@ -51,10 +51,11 @@ Key key_of(const aiVector3D &position, const aiVector3D &normal, const aiVector3
     return key;
 }
 
+// Of all but the colour, which seldom differs by itself.
 struct KeyHash {
     std::size_t operator()(const Key &key) const {
         return std::hash<std::string_view>()(
-            {reinterpret_cast<const char *>(key.data()), sizeof key});
+            {reinterpret_cast<const char *>(key.data()), 8 * sizeof(float)});
     }
 };
 
