@@ -73,6 +73,10 @@ void CheckedIOSystem::prepare(const std::filesystem::path &file) {
     };
     notes_.is_fbx = extension == "fbx";
     notes_.is_collada = extension == "dae";
+    if (extension == "lxo") {
+        notes_.warnings.insert(
+            "is Modo's own file, which Assimp reads in part: glTF holds all of it");
+    }
     if (extension == "obj") {
         is_obj_ = true;
         serve(prepared_obj(read(file.string()), notes_));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -155,7 +156,7 @@ glm::dmat3 transform_of(const aiMaterial &material, aiTextureType type) {
 MeshMaterials::MeshMaterials(Scene &scene, const MeshFile &meshes, fs::path file,
                              SourceLocation where)
     : scene_(scene), meshes_(meshes.scene()), notes_(meshes.notes()), file_(std::move(file)),
-      where_(std::move(where)) {}
+      where_(std::move(where)), known_materials_(scene.materials.size()) {}
 
 Look MeshMaterials::look_of(const aiMesh &mesh) {
     const aiMaterial &material = *meshes_.mMaterials[mesh.mMaterialIndex];
@@ -336,6 +337,12 @@ void MeshMaterials::note_what_is_lost(const aiMaterial &material) {
 }
 
 void MeshMaterials::finish() {
+    const auto added = std::span(scene_.materials).subspan(known_materials_);
+    if (!added.empty() && std::ranges::all_of(added, [](const Material &material) {
+            return material.color == glm::dvec3(0) && material.texture == no_texture;
+        })) {
+        warnings_.insert("has materials that are black and nothing else");
+    }
     if (!not_drawn_.empty()) {
         warnings_.insert(
             fmt::format("its materials have what isn't drawn: {}", fmt::join(not_drawn_, ", ")));

@@ -55,6 +55,7 @@ private:
     const MeshNotes &notes_;
     std::filesystem::path file_;
     SourceLocation where_;
+    std::size_t known_materials_;  // before the file's
     // A mesh without texture coordinates wears the colour alone.
     std::map<std::tuple<unsigned, unsigned, bool, bool>, Look> looks_;
     std::map<std::pair<std::string, std::string>, std::filesystem::path>

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace stagelight {
 
 std::optional<std::string> prepared_ply(std::string_view bytes, MeshNotes &notes) {
@@ -30,13 +32,14 @@ std::optional<std::string> prepared_ply(std::string_view bytes, MeshNotes &notes
             in_faces = first == "face" && second != "0";
             has_strips = has_strips || in_strips;
             has_faces = has_faces || in_faces;
-            line = in_strips ? "element face " + second : line;
+            line = in_strips ? fmt::format("element face {}", second) : line;
         } else if (keyword == "property" && in_strips && first == "list") {
-            line = "property list " + second + ' ' + third + " vertex_indices";
+            line = fmt::format("property list {} {} vertex_indices", second, third);
         } else if (keyword == "property" && in_faces && second == "red") {
             notes.warnings.insert("has colours of faces, which aren't drawn");
         }
-        header += line + '\n';
+        header += line;
+        header += '\n';
     }
     if (!has_strips) {
         return std::nullopt;

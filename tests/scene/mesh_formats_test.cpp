@@ -272,6 +272,13 @@ TEST_F(MeshFormats, FormatsThatAreNotReadAreToldWithAWayOut) {
         std::string::npos);
 }
 
+TEST_F(MeshFormats, BlackAllOverIsTold) {
+    folder.write("a.mtl", "newmtl a\nKd 0 0 0\n");
+    expect_one_warning(
+        load("a.obj", "mtllib a.mtl\n" + std::string(three_vertices) + "usemtl a\nf 1 2 3\n"),
+        "materials that are black");
+}
+
 // Assimp's reader of OpenGEX ends the process on this.
 TEST_F(MeshFormats, AReaderThatCrashesIsToldWithAWayOut) {
     const std::string message =
