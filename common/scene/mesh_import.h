@@ -23,8 +23,9 @@ constexpr int material_of_file = -1;
 // Appends the mesh in `file` to the scene: one Mesh, its vertices and triangles in
 // world space (node transforms, then the placement), and unless `material` is an
 // index into scene.materials, the file's own materials that its triangles use
-// (diffuse colour and diffuse texture; texture paths are resolved beside the mesh,
-// backslashes taken as slashes, then on the asset path).
+// (diffuse colour, diffuse texture and what is cut out of it; texture paths are resolved beside the
+// mesh, backslashes taken as slashes, then on the asset path). What the file has and the scene has
+// not goes to scene.warnings, a line a kind. A mesh whose materials can't be seen has no triangles.
 // Polygons are triangulated; points and lines are left out; normals are made where
 // the file has none. Throws UserError at `where` for a file that is missing, not a
 // mesh, without triangles, with an index out of range, with a position that is not
