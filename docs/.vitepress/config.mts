@@ -84,7 +84,7 @@ export default defineConfig({
       { text: 'The course', items: [...links(['start']), ...links(chapters)] },
       {
         text: 'Beside it',
-        items: links(['judging', 'chart', 'stability/index', 'opencl', 'debugging', 'paper', 'glossary']),
+        items: links(['judging', 'chart', 'stability/index', 'opencl', 'opencl-vectors', 'debugging', 'paper', 'glossary']),
       },
       {
         text: 'Reference',
