@@ -13,9 +13,9 @@
 namespace stagelight {
 
 // Says on a terminal what takes longer than two seconds: a line on stderr, with a bar where the
-// number of steps is known, that is gone when this ends. Nothing at all where stderr is no
-// terminal, and while an earlier one is there: what is done in many steps is told, not each of
-// them. Who prints while one may be there does it by say().
+// number of steps is known, that is gone when this ends. It prints nothing where stderr is no
+// terminal, nor inside another Progress, which tells of the whole and not of each part. While there
+// may be one, print by say(): it clears the line first.
 class Progress {
 public:
     explicit Progress(std::string what, std::size_t steps = 1);
