@@ -47,6 +47,7 @@ struct Material {
     double ior = 1.5;                // dielectric: index of refraction, > 0
     glm::dvec3 absorption{0, 0, 0};  // dielectric: Beer's coefficient, per scene unit
     int priority = 0;                // dielectric: the highest fills a place that several hold
+    double alpha_cutoff = 0;         // where the texture's alpha is less, a triangle is not there
     SourceLocation where;
 };
 
@@ -69,6 +70,7 @@ struct Vertex {
     glm::dvec3 position{0, 0, 0};
     glm::dvec3 normal{0, 0, 0};            // unit length
     glm::dvec2 texture_coordinates{0, 0};  // u to the right, v DOWN the image
+    glm::dvec3 color{1, 1, 1};             // linear; multiplies the material's
 };
 
 struct Triangle {
@@ -95,9 +97,14 @@ struct Light {
     SourceLocation where;
 };
 
+// What lies beyond a picture's edges.
+enum class Wrap { repeat, clamp, mirror };
+
 // 8 bits a channel, RGBA, row 0 at the top, as the file has them (not decoded).
 struct Texture {
     std::filesystem::path file;
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> texels;  // width * height * 4
@@ -119,7 +126,7 @@ struct Scene {
     std::vector<Vertex> vertices;
     std::vector<Triangle> triangles;
     std::vector<Light> lights;
-    std::vector<Texture> textures;      // each file once
+    std::vector<Texture> textures;      // each file and way to wrap it once
     std::vector<std::string> warnings;  // about what was loaded, one line each
 };
 
