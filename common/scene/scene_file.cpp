@@ -99,7 +99,8 @@ Plane read_plane(const TableReader &table, MaterialTable &materials) {
             .where = table.where()};
 }
 
-void read_mesh(Scene &scene, const TableReader &table, MaterialTable &materials) {
+void read_mesh(MeshImporter &importer, const std::filesystem::path &scene_file,
+               const TableReader &table, MaterialTable &materials) {
     table.refuse_unknown({"file", "position", "rotation", "scale", "material"});
     Placement placement;
     placement.position = table.vector("position", any_number, placement.position);
@@ -107,8 +108,7 @@ void read_mesh(Scene &scene, const TableReader &table, MaterialTable &materials)
     placement.scale = table.has_array("scale") ? table.vector("scale", not_zero)
                                                : glm::dvec3(table.number("scale", not_zero, 1.0));
     const int material = table.has("material") ? materials.of_shape(table) : material_of_file;
-    import_mesh(scene, asset_of(table, "file", scene.file), placement, material,
-                table.where("file"));
+    importer.add(asset_of(table, "file", scene_file), placement, material, table.where("file"));
 }
 
 Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
@@ -131,8 +131,9 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
     // Last: an import takes the longest, and appends materials of its own.
     const auto meshes = root.array_of_tables("meshes");
     Progress progress("loading the meshes of " + file.filename().string(), meshes.size());
+    MeshImporter importer(scene);
     for (const TableReader &table : meshes) {
-        read_mesh(scene, table, materials);
+        read_mesh(importer, file, table, materials);
         progress.step();
     }
     scene.warnings = orient_dielectrics(scene);

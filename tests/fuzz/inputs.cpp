@@ -36,7 +36,7 @@ void read_mesh(std::string_view bytes) {
         try_file("mesh." + std::string(mesh_formats[format]), bytes.substr(1),
                  [](const std::filesystem::path &file) {
                      Scene scene;
-                     import_mesh(scene, file, {}, material_of_file, {.file = "scene.toml"});
+                     MeshImporter(scene).add(file, {}, material_of_file, {.file = "scene.toml"});
                  });
     }
 }

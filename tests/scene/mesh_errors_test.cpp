@@ -153,7 +153,7 @@ TEST(MeshErrors, ASecondMeshWithoutTriangles) {
 
 TEST(MeshErrors, OutOfReach) {
     const TemporaryFolder folder;
-    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
+    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n"),
                    "out of reach");
 }
 
