@@ -25,13 +25,13 @@ namespace {
 constexpr double largest_ratio = 24;
 
 double longest_edge(const Scene &scene, const Triangle &triangle) {
-    double longest = 0;
+    double longest = 0;  // squared
     for (std::size_t i = 0; i < 3; ++i) {
-        longest = std::max(longest,
-                           glm::distance(scene.vertices[triangle.vertices[i]].position,
-                                         scene.vertices[triangle.vertices[(i + 1) % 3]].position));
+        const glm::dvec3 edge = scene.vertices[triangle.vertices[i]].position
+                                - scene.vertices[triangle.vertices[(i + 1) % 3]].position;
+        longest = std::max(longest, glm::dot(edge, edge));
     }
-    return longest;
+    return std::sqrt(longest);
 }
 
 // What must be seen well: a box around it, and how large it is.
@@ -41,25 +41,27 @@ struct Object {
     int part = -1;  // of the meshes' connected parts; a part does not cut itself
 };
 
+std::uint32_t root_of(std::vector<std::uint32_t> &root, std::uint32_t of) {
+    while (root[of] != of) {
+        of = root[of] = root[root[of]];
+    }
+    return of;
+}
+
 // The connected parts of all meshes, by the positions that their triangles share.
 std::vector<std::uint32_t> parts_of_triangles(const Scene &scene) {
     const std::vector<std::uint32_t> places = places_of(scene.vertices);
     std::vector<std::uint32_t> root(places.size());
     std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&root](std::uint32_t place) {
-        while (root[place] != place) {
-            place = root[place] = root[root[place]];
-        }
-        return place;
-    };
     for (const Triangle &triangle : scene.triangles) {
         for (const std::size_t corner : {1U, 2U}) {
-            root[find(places[triangle.vertices[corner]])] = find(places[triangle.vertices[0]]);
+            root[root_of(root, places[triangle.vertices[corner]])] =
+                root_of(root, places[triangle.vertices[0]]);
         }
     }
     std::vector<std::uint32_t> parts;
     for (const Triangle &triangle : scene.triangles) {
-        parts.push_back(find(places[triangle.vertices[0]]));
+        parts.push_back(root_of(root, places[triangle.vertices[0]]));
     }
     return parts;
 }
@@ -115,10 +117,10 @@ public:
 
     void cut() {
         for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
-            add_edges(i);
-        }
-        for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
             while (is_too_large(i)) {
+                if (beside_.empty()) {  // few scenes come here
+                    add_all_edges();
+                }
                 halve(i);
             }
         }
@@ -160,6 +162,12 @@ private:
                    && size > largest_ratio
                                  * distance_to(scene_, scene_.triangles[triangle], object.box);
         });
+    }
+
+    void add_all_edges() {
+        for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
+            add_edges(i);
+        }
     }
 
     void add_edges(std::size_t triangle) {
@@ -225,14 +233,48 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
-// Whether a triangle can be too large for anything: most scenes are through here.
-bool may_need_cuts(const Scene &scene) {
-    double largest = 0, smallest = std::numeric_limits<double>::infinity();
-    for (const Triangle &triangle : scene.triangles) {
-        const double size = longest_edge(scene, triangle);
-        largest = std::max(largest, size);
-        smallest = size > 0 ? std::min(smallest, size) : smallest;
+// The diagonal of the smallest of the parts that share vertices, if all triangles of one are
+// smaller than `size`; else infinity.
+double smallest_part(const Scene &scene, const std::vector<double> &sizes, double size) {
+    std::vector<bool> is_at_larger(scene.vertices.size());
+    std::vector<std::uint32_t> root(scene.vertices.size());
+    std::iota(root.begin(), root.end(), 0U);
+    std::vector<std::uint32_t> smaller;  // vertices of such triangles
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto &[a, b, c] = scene.triangles[i].vertices;
+        if (sizes[i] >= size) {
+            is_at_larger[a] = is_at_larger[b] = is_at_larger[c] = true;
+        } else {
+            root[root_of(root, b)] = root_of(root, a);
+            root[root_of(root, c)] = root_of(root, a);
+            smaller.insert(smaller.end(), {a, b, c});
+        }
     }
+    std::map<std::uint32_t, std::pair<Box, bool>> parts;  // and whether a larger triangle joins it
+    for (const std::uint32_t vertex : smaller) {
+        auto &[box, is_joined] = parts[root_of(root, vertex)];
+        box.add(scene.vertices[vertex].position);
+        is_joined = is_joined || is_at_larger[vertex];
+    }
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto &[vertex, part] : parts) {
+        const auto &[box, is_joined] = part;
+        smallest = is_joined ? smallest : std::min(smallest, glm::length(box.high - box.low));
+    }
+    return smallest;
+}
+
+// Whether a triangle can be too large for anything: most scenes are through here. Parts that share
+// vertices are no larger than those that share positions, and found sooner.
+bool may_need_cuts(const Scene &scene) {
+    std::vector<double> sizes;
+    sizes.reserve(scene.triangles.size());
+    double largest = 0;
+    for (const Triangle &triangle : scene.triangles) {
+        sizes.push_back(longest_edge(scene, triangle));
+        largest = std::max(largest, sizes.back());
+    }
+    double smallest = smallest_part(scene, sizes, largest / largest_ratio);
     for (const Sphere &sphere : scene.spheres) {
         smallest = std::min(smallest, 2 * sphere.radius);
     }
