@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scene/assimp_io.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include <assimp/IOStream.hpp>
+
+#include "scene/companion_file.h"
 
 namespace stagelight {
 namespace {
@@ -36,11 +39,36 @@ private:
     bool &has_failed_;
 };
 
+bool is_material_library(const std::filesystem::path &file) {
+    const std::string extension = file.extension();
+    return extension == ".mtl" || extension == ".MTL";
+}
+
 }  // namespace
 
+CheckedIOSystem::CheckedIOSystem(std::filesystem::path file, AssimpFiles &asked)
+    : file_(std::move(file)), asked_(asked) {
+    asked_.folders = {file_.parent_path()};
+}
+
 Assimp::IOStream *CheckedIOSystem::Open(const char *file, const char *mode) {
-    std::unique_ptr<Assimp::IOStream> opened(files_.Open(file, mode));
-    return opened ? new CheckedIOStream(std::move(opened), has_failed_) : nullptr;
+    std::filesystem::path found(file);
+    const std::filesystem::path &folder = asked_.folders.front();
+    if (found != file_) {
+        const std::string name = found.lexically_relative(folder).string();
+        found = find_spelled(name, folder).value_or(found);
+    }
+    std::unique_ptr<Assimp::IOStream> opened(files_.Open(found.c_str(), mode));
+    if (!opened) {
+        if (asked_.missing_materials.empty() && is_material_library(found)) {
+            asked_.missing_materials = found.filename();
+        }
+        return nullptr;
+    }
+    if (std::ranges::find(asked_.folders, found.parent_path()) == asked_.folders.end()) {
+        asked_.folders.push_back(found.parent_path());
+    }
+    return new CheckedIOStream(std::move(opened), asked_.has_read_failed);
 }
 
 }  // namespace stagelight

@@ -12,8 +12,8 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
-#include "scene/assimp_io.h"
 #include "scene/errors.h"
+#include "scene/ply_header.h"
 
 namespace stagelight {
 
@@ -120,6 +120,9 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
     const auto refuse = [&](const std::string &what) {
         throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
     };
+    if (const std::string fault = ply_fault(file); !fault.empty()) {
+        refuse(fault);
+    }
     Log log;
     // Edges sharper than this stay edges: between a cube's 90 degrees, which are meant, and the
     // 45 of an eight-sided column, which is meant to be round.
@@ -128,9 +131,9 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
                                  aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer_.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, removed);
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    importer_.SetIOHandler(new CheckedIOSystem(has_read_failed_));  // it is the importer's now
+    importer_.SetIOHandler(new CheckedIOSystem(file, files_));  // it is the importer's now
     const bool is_read = importer_.ReadFile(file.string(), 0) != nullptr;
-    if (has_read_failed_) {
+    if (files_.has_read_failed) {
         refuse("can't be read, expected a disk that gives all of it");
     }
     if (log.dropped_faces()) {

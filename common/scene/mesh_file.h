@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
+#include "scene/assimp_io.h"
 #include "scene/scene.h"
 
 namespace stagelight {
@@ -19,9 +20,10 @@ public:
     MeshFile(const std::filesystem::path &file, const SourceLocation &where);
 
     const aiScene &scene() const { return *importer_.GetScene(); }
+    const AssimpFiles &files() const { return files_; }
 
 private:
-    bool has_read_failed_ = false;  // before the importer, which holds a reference to it
+    AssimpFiles files_;  // before the importer, which holds a reference to it
     Assimp::Importer importer_;
 };
 

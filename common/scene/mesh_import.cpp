@@ -88,7 +88,13 @@ bool import_here(Scene &scene, const std::filesystem::path &file, int material,
                  const SourceLocation &where) {
     const MeshFile meshes(file, where);
     allow_any_time();
-    MeshMaterials materials(scene, meshes.scene(), file, where);
+    MeshMaterials materials(scene, meshes.scene(), file, meshes.files().folders, where);
+    if (const std::string &missing = meshes.files().missing_materials;
+        material == material_of_file && !missing.empty()) {
+        scene.warnings.push_back(one_line(
+            fmt::format("{}: materials of {}: no file {}; its meshes are drawn in one colour",
+                        to_string(where), file.string(), missing)));
+    }
     std::uint64_t faces = 0;
     for_each_placed(meshes.scene(),
                     [&](const aiMesh &mesh, const glm::dmat4 &) { faces += mesh.mNumFaces; });
@@ -102,6 +108,7 @@ bool import_here(Scene &scene, const std::filesystem::path &file, int material,
             refuse(file, where, "is placed out of reach, expected finite coordinates");
         }
     });
+    materials.warn();
     return has_coordinates;
 }
 

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <assimp/scene.h>
 
@@ -21,20 +23,32 @@ struct Look {
 // Appends the materials of a file to a scene, each when it is first asked for.
 class MeshMaterials {
 public:
-    // `where` is the [[meshes]] entry's place.
+    // `where` is the [[meshes]] entry's place. Pictures are looked for in `folders`, of which the
+    // first is the file's, as companion_file.h says.
     MeshMaterials(Scene &scene, const aiScene &meshes, std::filesystem::path file,
-                  SourceLocation where);
+                  std::vector<std::filesystem::path> folders, SourceLocation where);
 
     Look look_of(const aiMesh &mesh);
+
+    // Adds a line to the scene's warnings for the pictures that are missing, and one for those that
+    // can't be read: their materials are of one colour.
+    void warn() const;
 
 private:
     Look add(const aiMaterial &material, bool with_texture);
     int load(const aiString &texture);
+    int load_file(const std::string &name);
+    int load_embedded(const aiTexture &texture, int index);
+    SourceLocation in_mesh() const;
 
     Scene &scene_;
     const aiScene &meshes_;
     std::filesystem::path file_;
+    std::vector<std::filesystem::path> folders_;
     SourceLocation where_;
+    std::map<std::string, int> textures_;  // by the name that the file has for them
+    std::vector<std::string> missing_;     // names
+    std::vector<std::string> unreadable_;  // what is wrong with them
     // A mesh without texture coordinates wears the colour alone.
     std::map<std::pair<unsigned, bool>, Look> looks_;
 };

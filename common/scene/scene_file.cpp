@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -136,7 +137,8 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
         read_mesh(importer, file, table, materials);
         progress.step();
     }
-    scene.warnings = orient_dielectrics(scene);
+    const std::vector<std::string> unclear = orient_dielectrics(scene);
+    scene.warnings.insert(scene.warnings.end(), unclear.begin(), unclear.end());
     settle_contacts(scene);
     cut_large_triangles(scene);
     if (scene.materials.empty()) {

@@ -117,7 +117,8 @@ bool is_sound(const Texture &texture) {
 
 SceneSizes::SceneSizes(const Scene &scene)
     : materials(scene.materials.size()), vertices(scene.vertices.size()),
-      triangles(scene.triangles.size()), textures(scene.textures.size()) {}
+      triangles(scene.triangles.size()), textures(scene.textures.size()),
+      warnings(scene.warnings.size()) {}
 
 std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     Writer writer;
@@ -130,6 +131,10 @@ std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     writer.put(scene.textures.size() - before.textures);
     for (const Texture &texture : std::span(scene.textures).subspan(before.textures)) {
         put(writer, texture);
+    }
+    writer.put(scene.warnings.size() - before.warnings);
+    for (const std::string &warning : std::span(scene.warnings).subspan(before.warnings)) {
+        writer.put(std::span<const char>(warning));
     }
     return std::move(writer.bytes);
 }
@@ -149,6 +154,10 @@ bool append_serialised(Scene &scene, std::string_view bytes, const SourceLocatio
     for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
         scene.textures.push_back(take_texture(reader));
         is_whole = reader.is_sound() && is_sound(scene.textures.back());
+    }
+    for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
+        reader.take(scene.warnings.emplace_back());
+        is_whole = reader.is_sound();
     }
     return is_whole && reader.is_sound() && reader.is_at_end()
            && are_sound(scene, std::span(scene.triangles).subspan(before.triangles))

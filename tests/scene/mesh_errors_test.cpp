@@ -87,6 +87,14 @@ TEST(MeshErrors, TextFile) {
     expect_refusal(folder.write("a.txt", "no mesh at all\n"), "can't be read");
 }
 
+// Assimp's reader of PLY would be busy to its limit of time.
+TEST(MeshErrors, PlyThatPromisesMoreThanItHolds) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.ply", "ply\nformat binary_big_endian 1.0\nelement vertex 4\n"
+                                         "property float x\nelement face 2 more\n"),
+                   "its header has no end");
+}
+
 TEST(MeshErrors, IndexOutOfRangeInAFileThatAssimpTakes) {
     const TemporaryFolder folder;
     expect_refusal(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"

@@ -25,6 +25,7 @@ Scene sound_scene() {
                               .height = 1,
                               .texels = {1, 2, 3, 4, 5, 6, 7, 8},
                               .where = here});
+    scene.warnings = {"a.obj: no file b.png", ""};
     return scene;
 }
 
@@ -56,6 +57,7 @@ TEST(Serialise, BringsAScenePartBack) {
     EXPECT_EQ(scene.textures[0].texels, sound_scene().textures[0].texels);
     EXPECT_EQ(scene.textures[0].file, "a.png");
     EXPECT_EQ(scene.textures[0].where.column, 1U);
+    EXPECT_EQ(scene.warnings, sound_scene().warnings);
 }
 
 TEST(Serialise, RefusesWhatPointsPastTheEnd) {
