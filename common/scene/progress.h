@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "scene/clock.h"
 
@@ -41,7 +42,13 @@ private:
 
 // Prints a line on stdout, at once, which the bar on the terminal makes way for.
 void say(const std::string &line);
-// The same on stderr, after "warning: ".
+// The same on stderr, after "warning: ", unless warnings are silenced.
 void warn(const std::string &line);
+// The same for lines of which at most five are printed: the fifth of more counts the others.
+void warn(const std::vector<std::string> &lines);
+// From now on no warning is printed.
+void silence_warnings();
+// All that were given to warn(), also what it didn't print.
+std::vector<std::string> all_warnings();
 
 }  // namespace stagelight
