@@ -129,7 +129,11 @@ std::optional<fs::path> find_in(const fs::path &folder, const Parts &parts, Case
 std::optional<fs::path> find_in_any(const std::vector<fs::path> &folders,
                                     const std::vector<Parts> &names, std::size_t last_parts) {
     for (const Case letter_case : {Case::exact, Case::any}) {
-        for (const Parts &before : {Parts{}, Parts{"textures"}, Parts{"..", "textures"}}) {
+        for (const Parts &before :
+             {Parts{}, Parts{"textures"}, Parts{"..", "textures"}, Parts{".."}}) {
+            if (before == Parts{".."} && last_parts == 1) {
+                break;  // a file next to the folder is too often another's
+            }
             for (const fs::path &folder : folders) {
                 for (const Parts &name : names) {
                     Parts parts = before;

@@ -15,8 +15,9 @@ std::optional<std::filesystem::path> find_spelled(const std::string &name,
                                                   const std::filesystem::path &folder);
 
 // The file that is most like `name`: by as many of its last parts as can be found in one of
-// `folders`, in textures/ there or in ../textures; else the first of that file name below the first
-// folder, at most three folders down. What is absolute and there is taken as it is.
+// `folders`, in textures/ there, in ../textures, or, with the folder that it is in, next to the
+// folder; else the first of that file name below the first folder, at most three folders down. What
+// is absolute and there is taken as it is.
 std::optional<std::filesystem::path>
 find_companion(const std::string &name, const std::vector<std::filesystem::path> &folders);
 

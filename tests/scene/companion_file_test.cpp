@@ -75,6 +75,14 @@ TEST_F(CompanionFile, OfAnotherMachineHasAsMuchOfItsPathAsThereIs) {
     expect(elsewhere.string(), elsewhere);
 }
 
+TEST_F(CompanionFile, IsNextToTheFolderOnlyInAFolderOfItsName) {
+    fs::create_directories(folder.path() / "model");
+    write("a.png");
+    write("blue/a.png");
+    EXPECT_FALSE(find(R"(C:\work\red\a.png)"));
+    expect(R"(C:\work\red\a.png)", write("Red/a.png"));
+}
+
 TEST_F(CompanionFile, IsInTheFoldersInTheirOrder) {
     const fs::path second = write("materials/images/a.png");
     const std::vector folders{folder.path() / "model", folder.path() / "materials"};
