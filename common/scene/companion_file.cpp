@@ -140,7 +140,7 @@ std::optional<fs::path> find_in_any(const std::vector<fs::path> &folders,
                     parts.insert(parts.end(),
                                  name.end() - std::ptrdiff_t(std::min(last_parts, name.size())),
                                  name.end());
-                    if (const auto found = find_in(folder, parts, letter_case)) {
+                    if (auto found = find_in(folder, parts, letter_case)) {
                         return found;
                     }
                 }
@@ -183,7 +183,7 @@ std::optional<fs::path> find_below(const fs::path &folder, const std::vector<Par
                 entries.insert(entries.end(), here.begin(), here.end());
             }
         }
-        if (const auto found = find_among(entries, names)) {
+        if (auto found = find_among(entries, names)) {
             return found;
         }
         level.clear();
@@ -201,7 +201,7 @@ std::optional<fs::path> find_below(const fs::path &folder, const std::vector<Par
 std::optional<fs::path> find_spelled(const std::string &name, const fs::path &folder) {
     for (const Case letter_case : {Case::exact, Case::any}) {
         for (const Parts &parts : spellings(name)) {
-            if (const auto found = find_in(folder, parts, letter_case)) {
+            if (auto found = find_in(folder, parts, letter_case)) {
                 return found;
             }
         }
@@ -221,7 +221,7 @@ std::optional<fs::path> find_companion(const std::string &name,
     const auto longest =
         std::ranges::max_element(names, {}, [](const Parts &parts) { return parts.size(); });
     for (std::size_t last_parts = longest->size(); last_parts > 0; --last_parts) {
-        if (const auto found = find_in_any(folders, names, last_parts)) {
+        if (auto found = find_in_any(folders, names, last_parts)) {
             return found;
         }
     }

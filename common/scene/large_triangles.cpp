@@ -48,16 +48,22 @@ std::uint32_t root_of(std::vector<std::uint32_t> &root, std::uint32_t of) {
     return of;
 }
 
+// The triangle's places become one part.
+void join(std::vector<std::uint32_t> &root, const std::vector<std::uint32_t> &places,
+          const Triangle &triangle) {
+    for (const std::size_t corner : {1U, 2U}) {
+        root[root_of(root, places[triangle.vertices[corner]])] =
+            root_of(root, places[triangle.vertices[0]]);
+    }
+}
+
 // The connected parts of all meshes, by the positions that their triangles share.
 std::vector<std::uint32_t> parts_of_triangles(const Scene &scene) {
     const std::vector<std::uint32_t> places = places_of(scene.vertices);
     std::vector<std::uint32_t> root(places.size());
     std::iota(root.begin(), root.end(), 0u);
     for (const Triangle &triangle : scene.triangles) {
-        for (const std::size_t corner : {1U, 2U}) {
-            root[root_of(root, places[triangle.vertices[corner]])] =
-                root_of(root, places[triangle.vertices[0]]);
-        }
+        join(root, places, triangle);
     }
     std::vector<std::uint32_t> parts;
     for (const Triangle &triangle : scene.triangles) {
@@ -233,39 +239,67 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
-// The diagonal of the smallest of the parts that share vertices, if all triangles of one are
-// smaller than `size`; else infinity.
+// Removes those of `triangles` that hang together with one at a marked place, and marks their
+// places; `place` is a vertex's. A few times along the order of the file do.
+void drop_marked(const Scene &scene, std::vector<std::uint32_t> &triangles,
+                 std::vector<char> &marks, const auto &place) {
+    for (std::size_t left = triangles.size() + 1; triangles.size() < left;) {
+        left = triangles.size();
+        std::erase_if(triangles, [&](std::uint32_t triangle) {
+            const auto &[a, b, c] = scene.triangles[triangle].vertices;
+            const bool is_marked = (marks[place(a)] | marks[place(b)] | marks[place(c)]) != 0;
+            if (is_marked) {
+                marks[place(a)] = marks[place(b)] = marks[place(c)] = 1;
+            }
+            return is_marked;
+        });
+        std::ranges::reverse(triangles);
+    }
+}
+
+// The diagonal of the smallest connected part, if all triangles of one are smaller than `size`;
+// else infinity.
 double smallest_part(const Scene &scene, const std::vector<double> &sizes, double size) {
-    std::vector<bool> is_at_larger(scene.vertices.size());
-    std::vector<std::uint32_t> root(scene.vertices.size());
-    std::iota(root.begin(), root.end(), 0U);
-    std::vector<std::uint32_t> smaller;  // vertices of such triangles
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto &[a, b, c] = scene.triangles[i].vertices;
+    std::vector<char> at_vertex(scene.vertices.size());
+    std::vector<std::uint32_t> smaller;
+    for (std::uint32_t i = 0; i < sizes.size(); ++i) {
         if (sizes[i] >= size) {
-            is_at_larger[a] = is_at_larger[b] = is_at_larger[c] = true;
+            const auto &[a, b, c] = scene.triangles[i].vertices;
+            at_vertex[a] = at_vertex[b] = at_vertex[c] = 1;
         } else {
-            root[root_of(root, b)] = root_of(root, a);
-            root[root_of(root, c)] = root_of(root, a);
-            smaller.insert(smaller.end(), {a, b, c});
+            smaller.push_back(i);
         }
     }
-    std::map<std::uint32_t, std::pair<Box, bool>> parts;  // and whether a larger triangle joins it
-    for (const std::uint32_t vertex : smaller) {
-        auto &[box, is_joined] = parts[root_of(root, vertex)];
-        box.add(scene.vertices[vertex].position);
-        is_joined = is_joined || is_at_larger[vertex];
-    }
+    // By vertices first: to know which are at the same position takes longer.
+    drop_marked(scene, smaller, at_vertex, [](std::uint32_t vertex) { return vertex; });
     double smallest = std::numeric_limits<double>::infinity();
-    for (const auto &[vertex, part] : parts) {
-        const auto &[box, is_joined] = part;
-        smallest = is_joined ? smallest : std::min(smallest, glm::length(box.high - box.low));
+    if (smaller.empty()) {
+        return smallest;
+    }
+    const std::vector<std::uint32_t> places = places_of(scene.vertices);
+    std::vector<char> at_place(places.size());
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+        at_place[places[vertex]] = static_cast<char>(at_place[places[vertex]] | at_vertex[vertex]);
+    }
+    drop_marked(scene, smaller, at_place, [&](std::uint32_t vertex) { return places[vertex]; });
+    std::vector<std::uint32_t> root(places.size());
+    std::iota(root.begin(), root.end(), 0U);
+    for (const std::uint32_t triangle : smaller) {
+        join(root, places, scene.triangles[triangle]);
+    }
+    std::map<std::uint32_t, Box> parts;
+    for (const std::uint32_t triangle : smaller) {
+        for (const std::uint32_t vertex : scene.triangles[triangle].vertices) {
+            parts[root_of(root, places[vertex])].add(scene.vertices[vertex].position);
+        }
+    }
+    for (const auto &[place, box] : parts) {
+        smallest = std::min(smallest, glm::length(box.high - box.low));
     }
     return smallest;
 }
 
-// Whether a triangle can be too large for anything: most scenes are through here. Parts that share
-// vertices are no larger than those that share positions, and found sooner.
+// Whether a triangle can be too large for anything: most scenes are through here.
 bool may_need_cuts(const Scene &scene) {
     std::vector<double> sizes;
     sizes.reserve(scene.triangles.size());

@@ -38,8 +38,8 @@ glm::dvec3 perpendicular(const std::array<glm::dvec3, 3> &corners) {
     const glm::dvec3 b = corners[1] - corners[0];
     const glm::dvec3 c = corners[2] - corners[0];
     const glm::dvec3 cross = glm::cross(b, c);
-    const double longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
-    return glm::length(cross) > 1e-12 * longest * longest ? cross : glm::dvec3(0);
+    const double longest = std::max({glm::dot(b, b), glm::dot(c, c), glm::dot(c - b, c - b)});
+    return glm::dot(cross, cross) > 1e-24 * longest * longest ? cross : glm::dvec3(0);
 }
 
 // What makes a vertex the same as another. Assimp's JoinIdenticalVertices also joins some that

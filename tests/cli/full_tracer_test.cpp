@@ -77,7 +77,7 @@ TEST_F(Stage11Warnings, AreAtMostFiveLinesAndAllInTheStats) {
     EXPECT_TRUE(seven.err.ends_with("\nwarning: 3 more; --stats FILE has all of them\n"))
         << seven.err;
     ASSERT_EQ(seven.in_stats.size(), 7U);
-    expect_part(seven.in_stats[6], "texture of a6.obj: no file none.png");
+    expect_part(seven.in_stats[6], "a6.obj: no file none.png");
     EXPECT_TRUE(draw(0).in_stats.empty());
 }
 
