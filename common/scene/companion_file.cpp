@@ -152,8 +152,7 @@ std::optional<fs::path> find_in_any(const std::vector<fs::path> &folders,
 
 bool is_folder_to_search(const fs::directory_entry &entry) {
     std::error_code unimportant;
-    return entry.is_directory(unimportant) && !entry.is_symlink(unimportant)
-           && !entry.path().filename().string().starts_with('.');
+    return entry.is_directory(unimportant) && !entry.path().filename().string().starts_with('.');
 }
 
 std::optional<fs::path> find_among(const std::vector<fs::directory_entry> &entries,

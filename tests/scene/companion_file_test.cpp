@@ -117,7 +117,8 @@ TEST_F(CompanionFile, IsNotLookedForAmongThousandsOfFolders) {
 
 TEST_F(CompanionFile, IsNoFolderAndNoNameOfNothing) {
     fs::create_directories(folder.path() / "model/a.png");
-    for (const char *name : {"a.png", "", ".", "..", "/", "\\", "x/..", "none.png"}) {
+    write("model/b");
+    for (const char *name : {"a.png", "", ".", "..", "/", "\\", "x/..", "none.png", "b%00.png"}) {
         EXPECT_FALSE(find(name)) << name;
     }
 }
