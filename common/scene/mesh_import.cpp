@@ -109,6 +109,9 @@ bool import_here(Scene &scene, const std::filesystem::path &file, int material,
         }
     });
     materials.warn();
+    if (scene.triangles.empty()) {
+        refuse(file, where, "has no triangles, expected at least one with an area");
+    }
     return has_coordinates;
 }
 
@@ -134,7 +137,7 @@ void MeshImporter::add(const std::filesystem::path &file, const Placement &place
         refuse(file, where, "is placed out of reach, expected coordinates of at most 1e18");
     }
     if (scene_.triangles.size() == triangles_before) {
-        refuse(file, where, "has no triangles, expected at least one with an area");
+        refuse(file, where, "is placed without an area, expected a larger scale");
     }
 }
 

@@ -90,8 +90,8 @@ Look MeshMaterials::add(const aiMaterial &material, bool with_texture) {
 
 int MeshMaterials::load(const aiString &texture) {
     const std::string name = texture.C_Str();
-    if (const auto known = textures_.find(name); known != textures_.end()) {
-        return known->second;
+    if (failed_.contains(name)) {
+        return no_texture;
     }
     int index = no_texture;
     try {
@@ -101,7 +101,9 @@ int MeshMaterials::load(const aiString &texture) {
     } catch (const UserError &error) {
         unreadable_.emplace_back(error.what());
     }
-    textures_.emplace(name, index);
+    if (index == no_texture) {
+        failed_.insert(name);
+    }
     return index;
 }
 

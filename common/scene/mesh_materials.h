@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,9 +47,9 @@ private:
     std::filesystem::path file_;
     std::vector<std::filesystem::path> folders_;
     SourceLocation where_;
-    std::map<std::string, int> textures_;  // by the name that the file has for them
-    std::vector<std::string> missing_;     // names
-    std::vector<std::string> unreadable_;  // what is wrong with them
+    std::set<std::string> failed_;         // the names of textures that can't be had
+    std::vector<std::string> missing_;     // those that aren't there
+    std::vector<std::string> unreadable_;  // what is wrong with the others
     // A mesh without texture coordinates wears the colour alone.
     std::map<std::pair<unsigned, bool>, Look> looks_;
 };

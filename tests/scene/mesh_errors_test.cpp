@@ -159,6 +159,17 @@ TEST(MeshErrors, ASecondMeshWithoutTriangles) {
               std::string::npos);
 }
 
+TEST(MeshErrors, PlacedWithoutArea) {
+    const TemporaryFolder folder;
+    Scene scene;
+    EXPECT_EQ(message_of([&] {
+                  import_mesh(scene, folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                              {.scale = {1, 1e-14, 1}}, material_of_file, mesh_entry);
+              }),
+              "scene.toml:3:1: " + (folder.path() / "a.obj").string()
+                  + ": is placed without an area, expected a larger scale");
+}
+
 TEST(MeshErrors, OutOfReach) {
     const TemporaryFolder folder;
     expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n"),
