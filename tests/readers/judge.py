@@ -64,8 +64,8 @@ class Three:
         self._profile.cleanup()
 
     def draw(self, file):
-        """Its picture, linear RGB; the scale and then the position that let it fill the picture; and the names of files
-        that it did not find. A RuntimeError has what three.js says where it can't read the file."""
+        """Its picture, linear RGB, and the scale and then the position that let it fill the picture. A RuntimeError has
+        what three.js says where it can't read the file."""
         # A page of its own each, so that none inherits what another left on the device.
         self._browser.get(f"http://127.0.0.1:{self._server.server_port}/page/three.html")
         view = {"width": WIDTH, "height": HEIGHT, "fov": FOV, "eye": EYE, "key": KEY}
@@ -78,7 +78,7 @@ class Three:
         if "error" in result:
             raise RuntimeError(result["error"])
         pixels = numpy.frombuffer(base64.b64decode(result["pixels"]), "<f4").reshape(HEIGHT, WIDTH, 4)[..., :3]
-        return pixels, result["scale"], result["position"], [pathlib.PurePath(name).name for name in result["missing"]]
+        return pixels, result["scale"], result["position"]
 
 
 def quoted(path):
@@ -119,14 +119,18 @@ def run_tracer(program, scene, out):
                           capture_output=True, check=False, timeout=120)
     pixels = None
     if done.returncode == 0:
-        pixels = OpenImageIO.ImageBuf(str(out)).get_pixels(OpenImageIO.FLOAT)[..., :3]
+        # Not an ImageBuf: its cache may have another picture of that name.
+        picture = OpenImageIO.ImageInput.open(str(out))
+        pixels = picture.read_image(OpenImageIO.FLOAT)[..., :3]
+        picture.close()
     return Drawn(done.returncode, done.stderr.strip(), pixels)
 
 
 def draw_mesh(program, file, scale, position, folder):
     scene = folder / "scene.toml"
-    scene.write_text(SCENE.format(width=WIDTH, height=HEIGHT, eye=list(EYE), fov=FOV, key=list(KEY), file=quoted(file.resolve()),
-                                  scale=scale, position=position, intensity=float(numpy.dot(EYE, EYE))), encoding="utf-8")
+    text = SCENE.format(width=WIDTH, height=HEIGHT, eye=list(EYE), fov=FOV, key=list(KEY), file=quoted(file.resolve()),
+                        scale=scale, position=position, intensity=float(numpy.dot(EYE, EYE)))
+    scene.write_text(text, encoding="utf-8")
     return run_tracer(program, scene, folder / "ours.exr")
 
 

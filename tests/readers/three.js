@@ -24,27 +24,41 @@ async function makeLoader(kind, manager) {
   return loader
 }
 
-// OBJLoader leaves the libraries of materials to its caller.
+// OBJLoader leaves the library of materials to its caller. Without one the file is read without it.
 async function addMaterials(loader, url, manager) {
   const text = await (await fetch(url)).text()
   const [, library] = /^\s*mtllib\s+(.*\S)/m.exec(text) ?? []
   if (!library) return
   const { MTLLoader } = await import('three/addons/loaders/MTLLoader.js')
   const file = new URL(library.replaceAll('\\', '/'), new URL(url, location))
-  loader.setMaterials(await new MTLLoader(manager).loadAsync(file.href))
+  try {
+    loader.setMaterials(await new MTLLoader(manager).loadAsync(file.href))
+  } catch (error) {
+    if (error.response?.status !== 404) throw error
+  }
+}
+
+// What no library has is made up, and white.
+function forgetNames(object, known) {
+  object.traverse((node) => {
+    for (const material of [node.material ?? []].flat()) {
+      if (!(material.name in known)) material.name = ''
+    }
+  })
 }
 
 async function load(url, kind) {
   let pending = 0
-  const missing = []
-  const manager = new three.LoadingManager(undefined, undefined, (what) => missing.push(what))
+  const manager = new three.LoadingManager()
   const { itemStart, itemEnd } = manager
   manager.itemStart = (what) => { pending += 1; itemStart(what) }
   manager.itemEnd = (what) => { pending -= 1; itemEnd(what) }
-  if (kind !== 'obj') manager.addHandler(/\.tga$/i, new (await import('three/addons/loaders/TGALoader.js')).TGALoader(manager))
+  const { TGALoader } = await import('three/addons/loaders/TGALoader.js')
+  manager.addHandler(/\.tga$/i, new TGALoader(manager))
   const loader = await makeLoader(kind, manager)
   if (kind === 'obj') await addMaterials(loader, url, manager)
   const loaded = await loader.loadAsync(url)
+  if (kind === 'obj') forgetNames(loaded, loader.materials?.materialsInfo ?? {})
   while (pending > 0) await new Promise((done) => setTimeout(done, 2)) // pictures that nobody awaits
   let object = loaded.scene ?? loaded
   if (loaded.meshes) { // LWOLoader's
@@ -55,7 +69,7 @@ async function load(url, kind) {
     // PLYLoader and STLLoader know no materials, and STLLoader says of some files that they have colours.
     object = new three.Mesh(object, new three.MeshLambertMaterial({ vertexColors: object.hasAttribute('color') }))
   }
-  return { object, missing }
+  return object
 }
 
 function prepared(map) {
@@ -69,7 +83,7 @@ function prepared(map) {
 
 // What a file leaves open each reader decides for itself: here, as Assimp does for us. Colours of vertices are shown as
 // they are.
-const greys = { '3ds': 0.6, '3mf': 0.6, amf: 0.6, dae: 0.6, fbx: 0.8, lwo: 0.6, obj: 0.6 }
+const greys = { '3ds': 0.3, '3mf': 0.6, amf: 0.6, dae: 0.6, fbx: 0.8, lwo: 0.6, obj: 0.6 }
 
 function colorOf(material, kind) {
   const isSaid = kind.startsWith('gl') || !['', three.Loader.DEFAULT_MATERIAL_NAME].includes(material.name)
@@ -120,13 +134,14 @@ function prepare(object, kind) {
 
 const renderer = new three.WebGLRenderer({ antialias: false })
 
-// draw(URL, KIND, {width, height, fov, eye, key}): the picture as base64 of floats, RGBA, linear, upper row first; how
-// the file is scaled and moved to fill it, `scale` first; and which of its files were not found. `fov` is horizontal, in
-// degrees; `eye` looks at the origin and is where the light is; `key` is the colour of the background.
+// draw(URL, KIND, {width, height, fov, eye, key}): the picture as base64 of floats, RGBA, linear, upper row first, and
+// the scale and then the position that let the file fill it. `fov` is horizontal, in degrees; `eye` looks at the origin
+// and is where the light is; `key` is the colour of the background.
 window.draw = async (url, kind, { width, height, fov, eye, key }) => {
-  const { object, missing } = await load(url, kind)
+  const object = await load(url, kind)
   const box = prepare(object, kind)
   if (box.isEmpty()) throw new Error('it has no triangles')
+  if (![...box.min, ...box.max].every(Number.isFinite)) throw new Error('its positions are not finite')
   const scale = 2 / box.getSize(new three.Vector3()).length()
   const position = box.getCenter(new three.Vector3()).multiplyScalar(-scale)
 
@@ -160,6 +175,5 @@ window.draw = async (url, kind, { width, height, fov, eye, key }) => {
   const bytes = new Uint8Array(Float32Array.from(rows).buffer)
   let text = ''
   for (const byte of bytes) text += String.fromCharCode(byte)
-  return { scale, position: position.toArray(), pixels: btoa(text), missing }
+  return { scale, position: position.toArray(), pixels: btoa(text) }
 }
-document.title = 'ready'
