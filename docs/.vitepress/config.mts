@@ -89,7 +89,7 @@ export default defineConfig({
       {
         text: 'Reference',
         items: links(['other-systems', 'window', 'scene-format', 'methods', 'shading', 'architecture', 'benchmarks',
-          'mutants', 'pov-ray', 'gl-sharing-layer', 'implementations']),
+          'mutants', 'pov-ray', 'other-readers', 'gl-sharing-layer', 'implementations']),
       },
     ],
   },

@@ -654,6 +654,12 @@ def stl_called_solid(folder):
     return folder / "a.stl"
 
 
+@case("stl/empty_solid")
+def stl_empty(folder):
+    (folder / "a.stl").write_text(stl_ascii("first") + "solid second\nendsolid second\n", encoding="utf-8")
+    return folder / "a.stl"
+
+
 # --- FBX, in words: a mesh of one model, with what a case adds
 
 def write_fbx(folder, points, faces, *, up=1, layers="", model="", objects="", connections="", colors=""):
@@ -918,6 +924,20 @@ def amf_plain(folder):
     file.write_text(f"""<?xml version="1.0" encoding="UTF-8"?>
 <amf unit="millimeter"><material id="2"><color><r>1</r><g>0.4</g><b>0.2</b></color></material>
 <object id="1"><mesh><vertices>{vertices}</vertices><volume materialid="2">{faces}</volume></mesh></object></amf>
+""", encoding="utf-8")
+    return file
+
+
+@case("amf/two_volumes")
+def amf_volumes(folder):
+    vertices = "".join("<vertex><coordinates><x>{:g}</x><y>{:g}</y><z>{:g}</z></coordinates></vertex>".format(*corner)
+                       for corner in CORNERS)
+    volumes = "".join('<volume materialid="2"><triangle><v1>{}</v1><v2>{}</v2><v3>{}</v3></triangle></volume>'.format(*face)
+                      for face in FACES[2:])
+    file = folder / "a.amf"
+    file.write_text(f"""<?xml version="1.0" encoding="UTF-8"?>
+<amf unit="millimeter"><material id="2"><color><r>1</r><g>0.4</g><b>0.2</b></color></material>
+<object id="1"><mesh><vertices>{vertices}</vertices>{volumes}</mesh></object></amf>
 """, encoding="utf-8")
     return file
 

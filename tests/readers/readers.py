@@ -116,9 +116,10 @@ def judge_pictures(tracer, chosen):
 
 
 def show(head, rows):
-    print(head, flush=True)
     shown = []
     for row in rows:
+        if not shown:
+            print(head, flush=True)
         shown.append(row)
         print(row.line(), flush=True)
     return shown
@@ -149,6 +150,8 @@ def main():
     found = json.dumps([dataclasses.asdict(row) for row in shown], indent=1)
     (options.out / "readers.json").write_text(found, encoding="utf-8")
     failed = [row.name for row in shown if row.verdict not in WELL]
+    if not shown:
+        parser.error(f"--only '{options.only}': no file's name has this in it")
     print(f"\n{len(shown) - len(failed)} of {len(shown)} files are read as they should be", flush=True)
     return int(bool(failed))
 

@@ -38,11 +38,12 @@ async function addMaterials(loader, url, manager) {
   }
 }
 
-// What no library has is made up, and white.
-function forgetNames(object, known) {
+// Of an OBJ, materials that no library has are made up by its loader; of others, those without a name.
+function markMadeUp(object, known) {
   object.traverse((node) => {
     for (const material of [node.material ?? []].flat()) {
-      if (!(material.name in known)) material.name = ''
+      const { name } = material
+      material.userData.isMadeUp = known ? !(name in known) : ['', three.Loader.DEFAULT_MATERIAL_NAME].includes(name)
     }
   })
 }
@@ -58,7 +59,6 @@ async function load(url, kind) {
   const loader = await makeLoader(kind, manager)
   if (kind === 'obj') await addMaterials(loader, url, manager)
   const loaded = await loader.loadAsync(url)
-  if (kind === 'obj') forgetNames(loaded, loader.materials?.materialsInfo ?? {})
   while (pending > 0) await new Promise((done) => setTimeout(done, 2)) // pictures that nobody awaits
   let object = loaded.scene ?? loaded
   if (loaded.meshes) { // LWOLoader's
@@ -69,6 +69,7 @@ async function load(url, kind) {
     // PLYLoader and STLLoader know no materials, and STLLoader says of some files that they have colours.
     object = new three.Mesh(object, new three.MeshLambertMaterial({ vertexColors: object.hasAttribute('color') }))
   }
+  if (!kind.startsWith('gl')) markMadeUp(object, kind === 'obj' ? loader.materials?.materialsInfo ?? {} : null)
   return object
 }
 
@@ -86,8 +87,7 @@ function prepared(map) {
 const greys = { '3ds': 0.3, '3mf': 0.6, amf: 0.6, dae: 0.6, fbx: 0.8, lwo: 0.6, obj: 0.6 }
 
 function colorOf(material, kind) {
-  const isSaid = kind.startsWith('gl') || !['', three.Loader.DEFAULT_MATERIAL_NAME].includes(material.name)
-  if (!isSaid) return new three.Color().setScalar(material.vertexColors ? 1 : greys[kind] ?? 1)
+  if (material.userData.isMadeUp) return new three.Color().setScalar(material.vertexColors ? 1 : greys[kind] ?? 1)
   const color = material.color?.clone() ?? new three.Color(1, 1, 1)
   return sRgbColors.includes(kind) ? color.convertLinearToSRGB() : color
 }
@@ -141,8 +141,8 @@ window.draw = async (url, kind, { width, height, fov, eye, key }) => {
   const object = await load(url, kind)
   const box = prepare(object, kind)
   if (box.isEmpty()) throw new Error('it has no triangles')
-  if (![...box.min, ...box.max].every(Number.isFinite)) throw new Error('its positions are not finite')
   const scale = 2 / box.getSize(new three.Vector3()).length()
+  if (!Number.isFinite(scale) || scale === 0) throw new Error('its triangles are all in one place, or endlessly far away')
   const position = box.getCenter(new three.Vector3()).multiplyScalar(-scale)
 
   const scene = new three.Scene()
