@@ -476,6 +476,11 @@ def obj_d_zero(folder):
     return write_obj(folder, TWO_SQUARES_OBJ, "newmtl shown\nKd 1 0 0\nnewmtl other\nKd 0 1 0\nd 0\n")
 
 
+@case("obj/map_kd_alpha", known=True, note="we cut the texture's alpha of 0 out; three.js does only with a map_d")
+def obj_map_alpha(folder):
+    return write_obj(folder, SQUARE_OBJ, "newmtl shown\nKd 1 1 1\nmap_Kd holes.png\n", holes=paint_holes())
+
+
 @case("obj/map_d")
 def obj_map_d(folder):
     library = "newmtl shown\nKd 1 0 0\nnewmtl other\nKd 1 1 1\nmap_Kd paint.png\nmap_d holes.png\n"
@@ -589,6 +594,13 @@ def ply_ascii(folder):
 def ply_ascii_colors(folder):
     rows = [(*corner, *(255 * c for c in color)) for corner, color in zip(CORNERS, PURE)]
     return write_ply(folder, PLY_HEAD.format("ascii", PLY_COLORS) + words(rows) + words((3, *face) for face in FACES))
+
+
+@case("ply/float_colors")
+def ply_float_colors(folder):
+    head = PLY_HEAD.format("ascii", PLY_COLORS.replace("uchar", "float"))
+    rows = [(*corner, *color) for corner, color in zip(CORNERS, PURE)]
+    return write_ply(folder, head + words(rows) + words((3, *face) for face in FACES))
 
 
 @case("ply/little_endian_colors")
@@ -750,6 +762,60 @@ def fbx_colors(folder):
 		}}"""
     use = '\t\t\tLayerElement:  {\n\t\t\t\tType: "LayerElementColor"\n\t\t\t\tTypedIndex: 0\n\t\t\t}'
     return write_fbx(folder, CORNERS, FACES, layers=layer, colors=use)
+
+
+@case("fbx/texture", quick=True)
+def fbx_texture(folder):
+    paint().save(folder / "paint.png")
+    coordinates = ",".join(f"{value:g}" for u, v in SQUARE_UV for value in (2 * u - 0.5, 1.5 - 2 * v))
+    layer = f"""		LayerElementUV: 0 {{
+			Version: 101
+			Name: "map"
+			MappingInformationType: "ByVertice"
+			ReferenceInformationType: "Direct"
+			UV: *8 {{
+				a: {coordinates}
+			}}
+		}}
+		LayerElementMaterial: 0 {{
+			Version: 101
+			Name: ""
+			MappingInformationType: "AllSame"
+			ReferenceInformationType: "IndexToDirect"
+			Materials: *1 {{
+				a: 0
+			}}
+		}}"""
+    use = "".join(f'\t\t\tLayerElement:  {{\n\t\t\t\tType: "{kind}"\n\t\t\t\tTypedIndex: 0\n\t\t\t}}\n'
+                  for kind in ("LayerElementUV", "LayerElementMaterial"))
+    objects = """	Material: 6000, "Material::shown", "" {
+		Version: 102
+		ShadingModel: "lambert"
+		Properties70:  {
+			P: "DiffuseColor", "Color", "", "A",1,1,1
+			P: "DiffuseFactor", "Number", "", "A",1
+		}
+	}
+	Video: 6002, "Video::paint", "Clip" {
+		Type: "Clip"
+		Filename: "paint.png"
+		RelativeFilename: "paint.png"
+	}
+	Texture: 6001, "Texture::paint", "" {
+		Type: "TextureVideoClip"
+		Version: 202
+		TextureName: "Texture::paint"
+		Media: "Video::paint"
+		FileName: "paint.png"
+		RelativeFilename: "paint.png"
+		Properties70:  {
+			P: "WrapModeU", "enum", "", "",1
+			P: "WrapModeV", "enum", "", "",0
+		}
+	}
+"""
+    connections = '\tC: "OO",6000,2000\n\tC: "OP",6001,6000, "DiffuseColor"\n\tC: "OO",6002,6001\n'
+    return write_fbx(folder, SQUARE, SQUARE_FACES, layers=layer, colors=use, objects=objects, connections=connections)
 
 
 def matrix_words(matrix):
