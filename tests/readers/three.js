@@ -128,6 +128,8 @@ function prepare(object, kind) {
   })
   // Up is z in 3DS; TDSLoader leaves it to its caller.
   if (kind === '3ds') object.rotation.x = -Math.PI / 2
+  // LightWave's axes are left-handed. LWOLoader mirrors z, and Assimp mirrors x: half a turn lies between them.
+  if (kind === 'lwo') object.rotation.y = Math.PI
   object.updateMatrixWorld(true)
   return new three.Box3().setFromObject(object, true)
 }
