@@ -764,8 +764,8 @@ def fbx_colors(folder):
     return write_fbx(folder, CORNERS, FACES, layers=layer, colors=use)
 
 
-@case("fbx/texture", quick=True)
-def fbx_texture(folder):
+def write_fbx_square(folder, wrap):
+    """`wrap` is that of u: 0 repeats, 1 clamps."""
     paint().save(folder / "paint.png")
     coordinates = ",".join(f"{value:g}" for u, v in SQUARE_UV for value in (2 * u - 0.5, 1.5 - 2 * v))
     layer = f"""		LayerElementUV: 0 {{
@@ -788,34 +788,44 @@ def fbx_texture(folder):
 		}}"""
     use = "".join(f'\t\t\tLayerElement:  {{\n\t\t\t\tType: "{kind}"\n\t\t\t\tTypedIndex: 0\n\t\t\t}}\n'
                   for kind in ("LayerElementUV", "LayerElementMaterial"))
-    objects = """	Material: 6000, "Material::shown", "" {
+    objects = f"""	Material: 6000, "Material::shown", "" {{
 		Version: 102
 		ShadingModel: "lambert"
-		Properties70:  {
+		Properties70:  {{
 			P: "DiffuseColor", "Color", "", "A",1,1,1
 			P: "DiffuseFactor", "Number", "", "A",1
-		}
-	}
-	Video: 6002, "Video::paint", "Clip" {
+		}}
+	}}
+	Video: 6002, "Video::paint", "Clip" {{
 		Type: "Clip"
 		Filename: "paint.png"
 		RelativeFilename: "paint.png"
-	}
-	Texture: 6001, "Texture::paint", "" {
+	}}
+	Texture: 6001, "Texture::paint", "" {{
 		Type: "TextureVideoClip"
 		Version: 202
 		TextureName: "Texture::paint"
 		Media: "Video::paint"
 		FileName: "paint.png"
 		RelativeFilename: "paint.png"
-		Properties70:  {
-			P: "WrapModeU", "enum", "", "",1
+		Properties70:  {{
+			P: "WrapModeU", "enum", "", "",{wrap}
 			P: "WrapModeV", "enum", "", "",0
-		}
-	}
+		}}
+	}}
 """
     connections = '\tC: "OO",6000,2000\n\tC: "OP",6001,6000, "DiffuseColor"\n\tC: "OO",6002,6001\n'
     return write_fbx(folder, SQUARE, SQUARE_FACES, layers=layer, colors=use, objects=objects, connections=connections)
+
+
+@case("fbx/texture", quick=True)
+def fbx_texture(folder):
+    return write_fbx_square(folder, 0)
+
+
+@case("fbx/wrap_clamp")
+def fbx_clamp(folder):
+    return write_fbx_square(folder, 1)
 
 
 def matrix_words(matrix):
