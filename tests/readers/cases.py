@@ -4,6 +4,7 @@ import dataclasses
 import io
 import json
 import math
+import re
 import struct
 import typing
 import zipfile
@@ -988,6 +989,14 @@ def max_3ds(folder):
     mesh = chunk(0x4100, chunk(0x4110, vertices), chunk(0x4120, faces))
     file = folder / "a.3ds"
     file.write_bytes(chunk(0x4D4D, chunk(0x0002, struct.pack("<I", 3)), chunk(0x3D3D, chunk(0x4000, b"solid\0", mesh))))
+    return file
+
+
+@case("amf/without_colors")
+def amf_without_colors(folder):
+    file = amf_plain(folder)
+    text = file.read_text(encoding="utf-8")
+    file.write_text(re.sub(r"<material .*</material>| materialid=\"2\"", "", text), encoding="utf-8")
     return file
 
 
