@@ -76,9 +76,7 @@ std::vector<std::string> warnings_of(const Scene &scene) {
 Scene scene_of(const Run &run) {
     Scene scene = load_scene(run.options.scene);
     require_supported(scene, stage_number(run.stage));
-    for (const std::string &line : warnings_of(scene)) {
-        warn(line);
-    }
+    warn(warnings_of(scene));
     return scene;
 }
 
@@ -210,6 +208,9 @@ int run_stage(const std::string &stage, int argc, const char *const *argv) {
             return exit_done;
         }
         run.options = *std::move(options);
+        if (run.options.quiet) {
+            silence_warnings();
+        }
         return run_to_end(run);
     });
 }

@@ -10,6 +10,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/MemoryIOWrapper.h>
 
+#include "scene/companion_file.h"
 #include "scene/gltf_input.h"
 #include "scene/obj_input.h"
 #include "scene/ply_input.h"
@@ -44,12 +45,24 @@ private:
     bool &has_failed_;
 };
 
+bool is_material_library(const std::filesystem::path &file) {
+    return file_extension(file) == "mtl";
+}
+
 }  // namespace
 
-CheckedIOSystem::CheckedIOSystem(const std::filesystem::path &file, MeshNotes &notes,
-                                 bool &has_failed)
-    : notes_(notes), has_failed_(has_failed) {
-    prepare(file);
+CheckedIOSystem::CheckedIOSystem(std::filesystem::path file, MeshNotes &notes, AssimpFiles &asked)
+    : file_(std::move(file)), notes_(notes), asked_(asked) {
+    asked_.folders = {file_.parent_path()};
+    prepare(file_);
+}
+
+// What Assimp calls `file`, as it is spelled on the disk.
+std::filesystem::path CheckedIOSystem::find(const std::filesystem::path &file) const {
+    const std::filesystem::path &folder = asked_.folders.front();
+    return file == file_
+               ? file
+               : find_spelled(file.lexically_relative(folder).string(), folder).value_or(file);
 }
 
 std::string CheckedIOSystem::read(const std::string &file) {
@@ -59,7 +72,7 @@ std::string CheckedIOSystem::read(const std::string &file) {
     }
     std::string bytes(stream->FileSize(), '\0');
     const std::size_t size = stream->Read(bytes.data(), 1, bytes.size());
-    has_failed_ = has_failed_ || size < bytes.size();
+    asked_.has_read_failed = asked_.has_read_failed || size < bytes.size();
     bytes.resize(size);
     return bytes;
 }
@@ -85,7 +98,7 @@ void CheckedIOSystem::prepare(const std::filesystem::path &file) {
     } else if (extension == "gltf" || extension == "glb") {
         notes_.is_gltf = true;
         const auto read_beside = [&](const std::string &name) {
-            return read((file.parent_path() / name).string());
+            return read(find(file.parent_path() / name).string());
         };
         if (std::optional input = prepared_gltf(read(file.string()), read_beside, notes_)) {
             prepared_[std::string(converted_buffer)] = std::move(input->converted);
@@ -114,11 +127,21 @@ Assimp::IOStream *CheckedIOSystem::Open(const char *file, const char *mode) {
     if (const std::string *bytes = prepared(file)) {
         return open_prepared(*bytes);
     }
-    if (is_obj_ && file_extension(file) != "obj" && files_.Exists(file)) {  // its materials
-        return open_prepared(prepared_[file] = prepared_mtl(read(file), notes_));
+    const std::filesystem::path found = find(file);
+    std::unique_ptr<Assimp::IOStream> opened(files_.Open(found.c_str(), mode));
+    if (!opened) {
+        if (asked_.missing_materials.empty() && is_material_library(found)) {
+            asked_.missing_materials = found.filename();
+        }
+        return nullptr;
     }
-    std::unique_ptr<Assimp::IOStream> opened(files_.Open(file, mode));
-    return opened ? new CheckedIOStream(std::move(opened), has_failed_) : nullptr;
+    if (std::ranges::find(asked_.folders, found.parent_path()) == asked_.folders.end()) {
+        asked_.folders.push_back(found.parent_path());
+    }
+    if (is_obj_ && found != file_) {  // its materials
+        return open_prepared(prepared_[file] = prepared_mtl(read(found.string()), notes_));
+    }
+    return new CheckedIOStream(std::move(opened), asked_.has_read_failed);
 }
 
 std::string file_extension(const std::filesystem::path &file) {

@@ -18,10 +18,10 @@
 #include <assimp/postprocess.h>
 #include <fmt/format.h>
 
-#include "scene/assimp_io.h"
 #include "scene/errors.h"
 #include "scene/joints.h"
 #include "scene/mesh_formats.h"
+#include "scene/ply_header.h"
 #include "scene/ply_input.h"
 
 namespace stagelight {
@@ -266,6 +266,9 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
     const auto refuse = [&](const std::string &what) {
         throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
     };
+    if (const std::string fault = ply_fault(file); !fault.empty()) {
+        refuse(fault);
+    }
     Log log;
     // Edges sharper than this stay edges: between a cube's 90 degrees, which are meant, and the
     // 45 of an eight-sided column, which is meant to be round.
@@ -276,9 +279,9 @@ MeshFile::MeshFile(const std::filesystem::path &file, const SourceLocation &wher
     importer_.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     try {
         importer_.SetIOHandler(  // it is the importer's now
-            new CheckedIOSystem(file, notes_, has_read_failed_));
+            new CheckedIOSystem(file, notes_, files_));
         const bool is_read = importer_.ReadFile(file.string(), 0) != nullptr;
-        if (has_read_failed_) {
+        if (files_.has_read_failed) {
             refuse("can't be read, expected a disk that gives all of it");
         }
         if (log.dropped_faces()) {

@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
+#include "scene/assimp_io.h"
 #include "scene/mesh_notes.h"
 #include "scene/scene.h"
 
@@ -20,6 +21,7 @@ public:
     MeshFile(const std::filesystem::path &file, const SourceLocation &where);
 
     const aiScene &scene() const { return *importer_.GetScene(); }
+    const AssimpFiles &files() const { return files_; }
 
     // What the file has beside that.
     const MeshNotes &notes() const { return notes_; }
@@ -28,7 +30,7 @@ private:
     void prepare();
     void note_what_is_lost();
 
-    bool has_read_failed_ = false;  // before the importer, which holds references to them
+    AssimpFiles files_;  // before the importer, which holds references to them
     MeshNotes notes_;
     Assimp::Importer importer_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
@@ -15,7 +16,8 @@
 #include <fmt/ranges.h>
 #include <glm/matrix.hpp>
 
-#include "scene/asset_path.h"
+#include "scene/companion_file.h"
+#include "scene/errors.h"
 #include "scene/picture.h"
 #include "scene/texture_alpha.h"
 #include "scene/texture_set.h"
@@ -37,18 +39,6 @@ glm::dvec3 color_of(const aiMaterial &material) {
         material.Get(AI_MATKEY_BASE_COLOR, color);
     }
     return {share(color.r), share(color.g), share(color.b)};
-}
-
-// Beside the mesh by the path it names, or by file name, since paths are often those of the
-// machine that made the mesh; else on the asset path.
-fs::path find_texture(std::string name, const fs::path &mesh_file, const SourceLocation &where) {
-    std::replace(name.begin(), name.end(), '\\', '/');
-    fs::path beside = mesh_file.parent_path() / name;
-    std::error_code unimportant;  // what can't be asked is not there for us
-    if (fs::is_regular_file(beside, unimportant)) {
-        return beside;
-    }
-    return find_asset(fs::path(name).filename().string(), mesh_file.parent_path(), where);
 }
 
 // A height of 0 means that the data are a file, `width` bytes of it.
@@ -156,7 +146,8 @@ glm::dmat3 transform_of(const aiMaterial &material, aiTextureType type) {
 MeshMaterials::MeshMaterials(Scene &scene, const MeshFile &meshes, fs::path file,
                              SourceLocation where)
     : scene_(scene), meshes_(meshes.scene()), notes_(meshes.notes()), file_(std::move(file)),
-      where_(std::move(where)), known_materials_(scene.materials.size()) {}
+      folders_(meshes.files().folders), where_(std::move(where)),
+      known_materials_(scene.materials.size()) {}
 
 Look MeshMaterials::look_of(const aiMesh &mesh) {
     const aiMaterial &material = *meshes_.mMaterials[mesh.mMaterialIndex];
@@ -336,7 +327,8 @@ void MeshMaterials::note_what_is_lost(const aiMaterial &material) {
     }
 }
 
-void MeshMaterials::finish() {
+void MeshMaterials::warn() {
+    warn_of_pictures();
     const auto added = std::span(scene_.materials).subspan(known_materials_);
     if (!added.empty() && std::ranges::all_of(added, [](const Material &material) {
             return material.color == glm::dvec3(0) && material.texture == no_texture;
@@ -356,16 +348,56 @@ void MeshMaterials::finish() {
 }
 
 int MeshMaterials::load(const aiString &texture) {
-    const SourceLocation in_mesh{.file = to_string(where_) + ": texture of " + file_.string()};
-    // No structured binding: Clang 14 lets no lambda have one.
-    const std::pair found = meshes_.GetEmbeddedTextureAndIndex(texture.C_Str());
-    if (!found.first) {
-        return load_texture(scene_.textures, find_texture(texture.C_Str(), file_, in_mesh),
-                            in_mesh);
+    const std::string name = texture.C_Str();
+    if (failed_.contains(name)) {
+        return no_texture;
     }
-    const fs::path name = fs::canonical(file_).string() + '*' + std::to_string(found.second);
+    int index = no_texture;
+    try {
+        // No structured binding: Clang 14 lets no lambda have one.
+        const std::pair found = meshes_.GetEmbeddedTextureAndIndex(name.c_str());
+        index = found.first ? load_embedded(*found.first, found.second) : load_file(name);
+    } catch (const UserError &error) {
+        unreadable_.emplace_back(error.what());
+    }
+    if (index == no_texture) {
+        failed_.insert(name);
+    }
+    return index;
+}
+
+int MeshMaterials::load_embedded(const aiTexture &texture, int index) {
+    const fs::path name = fs::canonical(file_).string() + '*' + std::to_string(index);
     return texture_once(scene_.textures, name,
-                        [&] { return read_embedded(*found.first, name, in_mesh); });
+                        [&] { return read_embedded(texture, name, in_mesh()); });
+}
+
+int MeshMaterials::load_file(const std::string &name) {
+    if (name.starts_with('$')) {  // Assimp's, as "$texture_dummy.bmp", where the file names none
+        return no_texture;
+    }
+    const std::optional<fs::path> found = find_companion(name, folders_);
+    if (!found) {
+        missing_.push_back(name);
+        return no_texture;
+    }
+    return load_texture(scene_.textures, *found, in_mesh());
+}
+
+SourceLocation MeshMaterials::in_mesh() const {
+    return {.file = to_string(where_) + ": texture of " + file_.string()};
+}
+
+void MeshMaterials::warn_of_pictures() const {
+    const auto add = [&](const std::vector<std::string> &lines, const std::string &prefix) {
+        if (!lines.empty()) {
+            scene_.warnings.push_back(one_line(fmt::format(
+                "{}{}{}; the material's colour is drawn instead", prefix, lines.front(),
+                lines.size() > 1 ? fmt::format(" (and {} more)", lines.size() - 1) : "")));
+        }
+    };
+    add(missing_, to_string(in_mesh()) + ": no file ");
+    add(unreadable_, "");
 }
 
 }  // namespace stagelight

@@ -35,8 +35,8 @@ glm::dvec3 perpendicular(const std::array<glm::dvec3, 3> &corners) {
     const glm::dvec3 b = corners[1] - corners[0];
     const glm::dvec3 c = corners[2] - corners[0];
     const glm::dvec3 cross = glm::cross(b, c);
-    const double longest = std::max({glm::length(b), glm::length(c), glm::length(c - b)});
-    return glm::length(cross) > 1e-12 * longest * longest ? cross : glm::dvec3(0);
+    const double longest = std::max({glm::dot(b, b), glm::dot(c, c), glm::dot(c - b, c - b)});
+    return glm::dot(cross, cross) > 1e-24 * longest * longest ? cross : glm::dvec3(0);
 }
 
 // What makes a vertex the same as another. Assimp's JoinIdenticalVertices also joins some that
@@ -89,7 +89,7 @@ private:
         std::array<glm::dvec3, 3> positions;
         for (std::size_t i = 0; i < 3; ++i) {
             positions[i] = to_world_ * glm::dvec4(to_glm(mesh_.mVertices[corners[i]]), 1);
-            if (!glm::all(glm::lessThanEqual(glm::abs(positions[i]), glm::dvec3(largest_number)))) {
+            if (!is_finite(positions[i])) {
                 return false;
             }
         }
@@ -154,6 +154,45 @@ private:
 
 bool append_placed(Scene &scene, const aiMesh &mesh, const glm::dmat4 &to_world, const Look &look) {
     return PlacedMesh(scene, mesh, to_world, look).append();
+}
+
+bool append_copy(Scene &scene, const MeshModel &model, const glm::dmat4 &to_world,
+                 const std::optional<int> &material) {
+    const glm::dmat3 normals_to_world = glm::inverseTranspose(glm::dmat3(to_world));
+    const bool is_mirrored = glm::determinant(glm::dmat3(to_world)) < 0;
+    const std::size_t first = scene.vertices.size();
+    scene.vertices.insert(scene.vertices.end(), model.vertices.begin(), model.vertices.end());
+    for (Vertex &vertex : std::span(scene.vertices).subspan(first)) {
+        vertex.position = to_world * glm::dvec4(vertex.position, 1);
+        vertex.normal = normalize(normals_to_world * vertex.normal);
+        if (!glm::all(glm::lessThanEqual(glm::abs(vertex.position), glm::dvec3(largest_number)))) {
+            return false;
+        }
+    }
+    for (Triangle triangle : model.triangles) {
+        std::array<glm::dvec3, 3> positions;
+        for (std::size_t i = 0; i < 3; ++i) {
+            triangle.vertices[i] += static_cast<std::uint32_t>(first);
+            positions[i] = scene.vertices[triangle.vertices[i]].position;
+        }
+        if (is_mirrored) {
+            std::swap(triangle.vertices[1], triangle.vertices[2]);
+            std::swap(positions[1], positions[2]);
+        }
+        const glm::dvec3 facing = perpendicular(positions);
+        if (!is_direction(facing)) {
+            continue;
+        }
+        for (const std::uint32_t vertex : triangle.vertices) {
+            if (!is_direction(scene.vertices[vertex].normal)) {
+                scene.vertices[vertex].normal = normalize(facing);
+            }
+        }
+        triangle.material = material.value_or(triangle.material);
+        triangle.mesh = static_cast<int>(scene.meshes.size()) - 1;
+        scene.triangles.push_back(triangle);
+    }
+    return true;
 }
 
 }  // namespace stagelight

@@ -45,7 +45,7 @@ void read_mesh(std::string_view bytes) {
                          std::ofstream(file) << wears_materials;
                      }
                      Scene scene;
-                     import_mesh(scene, file, {}, material_of_file, {.file = "scene.toml"});
+                     MeshImporter(scene).add(file, {}, material_of_file, {.file = "scene.toml"});
                  });
     }
 }
