@@ -9,8 +9,8 @@ typedef struct Illumination {
 } Illumination;
 
 // #region point_light
-// Inverse square falloff, windowed to end at the range without a step (Lagarde and de
-// Rousiers, Moving Frostbite to Physically Based Rendering, 2014, section 4.4).
+// Inverse square falloff, windowed to end at the range without a step (Karis, Real Shading in Unreal
+// Engine 4, 2013).
 static Illumination point_light_at(const Light light, const float3 position) {
     const float3 to_light = XYZ(light.as.point.position) - position;
     const float distance = length(to_light);

@@ -37,8 +37,8 @@ static void plane_surface(Surface *surface, const Plane plane, const Ray ray, co
     }
 }
 
-// What is known of a surface for having looked it up: the normals of a triangle are left as long as
-// they come.
+// What can be looked up of a surface. The normals of a triangle are not of unit length yet:
+// finish_triangle sees to that.
 static Surface fetch_surface(const Scene *scene, const Ray ray, const Hit hit) {
     Surface surface = {0};  // set on every way: LLVM 19, in PoCL 6.0, ends the process over one that is not
     if (HAS_SPHERES && hit.shape == SHAPE_SPHERE) {

@@ -6,11 +6,12 @@ from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
 
-def start_browser(profile):
+def start_browser(profile, *more):
+    """`more` are arguments of Chromium."""
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
     for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
-                     "--disable-background-networking", f"--user-data-dir={profile}", "--window-size=1440,900"):
+                     "--disable-background-networking", f"--user-data-dir={profile}", "--window-size=1440,900", *more):
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"performance": "ALL", "browser": "ALL"})
     return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)

@@ -179,6 +179,7 @@ std::optional<Options> parse_options(const std::string &stage, int argc, const c
     app.add_flag(
         "--verbose", options.verbose,
         "say more: where the time went, rays that were cut off, what the kernel leaves out");
+    app.add_flag("--quiet", options.quiet, "print no warnings; --stats has them all the same");
     app.set_version_flag("--version", "Stagelight " STAGELIGHT_VERSION);
 
     try {

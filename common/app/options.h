@@ -33,6 +33,7 @@ struct Options {
     std::optional<std::filesystem::path> export_pov;
     bool list_devices = false;
     bool verbose = false;
+    bool quiet = false;  // no warnings
 };
 
 // out/STAGE.png, below the current folder.

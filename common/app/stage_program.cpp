@@ -77,12 +77,8 @@ Scene scene_of(const Run &run) {
     Scene scene = load_scene(run.options.scene);
     const int stage = stage_number(run.stage);
     require_supported(scene, stage);
-    for (const std::string &line : take_out_unsupported(scene, stage)) {
-        warn(line);
-    }
-    for (const std::string &line : warnings_of(scene)) {
-        warn(line);
-    }
+    warn(take_out_unsupported(scene, stage));
+    warn(warnings_of(scene));
     return scene;
 }
 
@@ -215,6 +211,9 @@ int run_stage(const std::string &stage, int argc, const char *const *argv) {
             return exit_done;
         }
         run.options = *std::move(options);
+        if (run.options.quiet) {
+            silence_warnings();
+        }
         return run_to_end(run);
     });
 }

@@ -9,6 +9,7 @@
 
 #include "device/disabled_features.h"
 #include "image/whole_file.h"
+#include "scene/progress.h"
 #include "scene/radiance_bound.h"
 #include "scene/stages.h"
 
@@ -105,8 +106,8 @@ ordered_json display_json(const DisplayFigures &display) {
 }
 
 // Device, driver, build options, milliseconds a frame and from start to picture, rays by kind,
-// dropped rays, bytes on the device, what the scene needed and what was disabled, and how the
-// frames came to the window.
+// dropped rays, bytes on the device, what the scene needed and what was disabled, how the frames
+// came to the window, and all warnings.
 std::string stats_json(const Run &run, const RunResult &result) {
     const int stage = stage_number(run.stage);
     const RenderSettings &settings = result.settings;
@@ -127,6 +128,7 @@ std::string stats_json(const Run &run, const RunResult &result) {
         {"needs", needs_json(result.needs)},
         {"disabled_features", disabled_features_json(result.needs, stage)},
         {"display", display_json(result.display)},
+        {"warnings", all_warnings()},
     };
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }

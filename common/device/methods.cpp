@@ -23,7 +23,7 @@ const std::vector<Method> &all_methods() {
         {"triangle", "moeller_trumbore", tree_stage, "",
          "Möller and Trumbore 1997, with no threshold"},
         {"triangle", "threshold", tree_stage, "",
-         "Möller and Trumbore 1997, as in their code: no determinant below 1e-5"},
+         "Möller and Trumbore 1997, and no determinant below 1e-5 (1e-6 in their code)"},
         {"box", "robust", tree_stage, "",
          "by comparing, padded by 2 ulp of each coordinate (after Ize 2013)"},
         {"box", "ordered", tree_stage, "", "Kay and Kajiya 1986, by comparing"},

@@ -50,8 +50,8 @@ Methods with_defaults(Methods methods, int stage);
 // stage that has the choice.
 void choose_method(Methods &methods, const std::string &choice, int stage);
 
-// Whether a scene of those needs can tell the methods of a kind apart: one without glass has no use
-// for Fresnel.
+// Whether the choice between the methods of a kind can change the picture or the time of a scene of
+// those needs: Fresnel's can't where there is no glass.
 bool matters(const std::string &kind, const SceneNeeds &needs);
 
 // What kernels are built with for the chosen methods.

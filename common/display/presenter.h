@@ -39,8 +39,8 @@ public:
     virtual std::size_t most_in_flight() const = 0;
     // Makes room for pictures of that size in pixels. No frame is in flight.
     virtual void resize(int width, int height) = 0;
-    // Sets the rendering of a frame, which adds that sample to those before it, going, and does not
-    // wait for it.
+    // Starts to render a frame, which adds that sample to those before it, and does not wait for
+    // it.
     virtual void start(StageKernel &kernel, const device::DoubleCamera &camera, int sample) = 0;
     // Waits for the frame that was started first; then texture() holds it.
     virtual FinishedFrame finish() = 0;

@@ -13,8 +13,7 @@ template <typename Number> struct Arriving {
     Vec<Number> irradiance;  // on a surface that faces it
 };
 
-// Lets a light's reach end smoothly (Lagarde and de Rousiers, Moving Frostbite to Physically
-// Based Rendering, 2014, section 4.4).
+// Lets a light's reach end smoothly (Karis, Real Shading in Unreal Engine 4, 2013).
 template <typename Number> Number range_window(Number distance, Number range) {
     const Number share = distance / range;
     const Number left = std::max(Number(0), 1 - share * share * share * share);

@@ -25,13 +25,13 @@ namespace {
 constexpr double largest_ratio = 24;
 
 double longest_edge(const Scene &scene, const Triangle &triangle) {
-    double longest = 0;
+    double longest = 0;  // squared
     for (std::size_t i = 0; i < 3; ++i) {
-        longest = std::max(longest,
-                           glm::distance(scene.vertices[triangle.vertices[i]].position,
-                                         scene.vertices[triangle.vertices[(i + 1) % 3]].position));
+        const glm::dvec3 edge = scene.vertices[triangle.vertices[i]].position
+                                - scene.vertices[triangle.vertices[(i + 1) % 3]].position;
+        longest = std::max(longest, glm::dot(edge, edge));
     }
-    return longest;
+    return std::sqrt(longest);
 }
 
 // What must be seen well: a box around it, and how large it is.
@@ -41,25 +41,33 @@ struct Object {
     int part = -1;  // of the meshes' connected parts; a part does not cut itself
 };
 
+std::uint32_t root_of(std::vector<std::uint32_t> &root, std::uint32_t of) {
+    while (root[of] != of) {
+        of = root[of] = root[root[of]];
+    }
+    return of;
+}
+
+// The triangle's places become one part.
+void join(std::vector<std::uint32_t> &root, const std::vector<std::uint32_t> &places,
+          const Triangle &triangle) {
+    for (const std::size_t corner : {1U, 2U}) {
+        root[root_of(root, places[triangle.vertices[corner]])] =
+            root_of(root, places[triangle.vertices[0]]);
+    }
+}
+
 // The connected parts of all meshes, by the positions that their triangles share.
 std::vector<std::uint32_t> parts_of_triangles(const Scene &scene) {
     const std::vector<std::uint32_t> places = places_of(scene.vertices);
     std::vector<std::uint32_t> root(places.size());
     std::iota(root.begin(), root.end(), 0u);
-    const auto find = [&root](std::uint32_t place) {
-        while (root[place] != place) {
-            place = root[place] = root[root[place]];
-        }
-        return place;
-    };
     for (const Triangle &triangle : scene.triangles) {
-        for (const std::size_t corner : {1U, 2U}) {
-            root[find(places[triangle.vertices[corner]])] = find(places[triangle.vertices[0]]);
-        }
+        join(root, places, triangle);
     }
     std::vector<std::uint32_t> parts;
     for (const Triangle &triangle : scene.triangles) {
-        parts.push_back(find(places[triangle.vertices[0]]));
+        parts.push_back(root_of(root, places[triangle.vertices[0]]));
     }
     return parts;
 }
@@ -115,10 +123,10 @@ public:
 
     void cut() {
         for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
-            add_edges(i);
-        }
-        for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
             while (is_too_large(i)) {
+                if (beside_.empty()) {  // few scenes come here
+                    add_all_edges();
+                }
                 halve(i);
             }
         }
@@ -160,6 +168,12 @@ private:
                    && size > largest_ratio
                                  * distance_to(scene_, scene_.triangles[triangle], object.box);
         });
+    }
+
+    void add_all_edges() {
+        for (std::size_t i = 0; i < scene_.triangles.size(); ++i) {
+            add_edges(i);
+        }
     }
 
     void add_edges(std::size_t triangle) {
@@ -226,14 +240,76 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
 };
 
+// Removes those of `triangles` that hang together with one at a marked place, and marks their
+// places; `place` is a vertex's. A few times along the order of the file do.
+void drop_marked(const Scene &scene, std::vector<std::uint32_t> &triangles,
+                 std::vector<char> &marks, const auto &place) {
+    for (std::size_t left = triangles.size() + 1; triangles.size() < left;) {
+        left = triangles.size();
+        std::erase_if(triangles, [&](std::uint32_t triangle) {
+            const auto &[a, b, c] = scene.triangles[triangle].vertices;
+            const bool is_marked = (marks[place(a)] | marks[place(b)] | marks[place(c)]) != 0;
+            if (is_marked) {
+                marks[place(a)] = marks[place(b)] = marks[place(c)] = 1;
+            }
+            return is_marked;
+        });
+        std::ranges::reverse(triangles);
+    }
+}
+
+// The diagonal of the smallest connected part, if all triangles of one are smaller than `size`;
+// else infinity.
+double smallest_part(const Scene &scene, const std::vector<double> &sizes, double size) {
+    std::vector<char> at_vertex(scene.vertices.size());
+    std::vector<std::uint32_t> smaller;
+    for (std::uint32_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] >= size) {
+            const auto &[a, b, c] = scene.triangles[i].vertices;
+            at_vertex[a] = at_vertex[b] = at_vertex[c] = 1;
+        } else {
+            smaller.push_back(i);
+        }
+    }
+    // By vertices first: to know which are at the same position takes longer.
+    drop_marked(scene, smaller, at_vertex, [](std::uint32_t vertex) { return vertex; });
+    double smallest = std::numeric_limits<double>::infinity();
+    if (smaller.empty()) {
+        return smallest;
+    }
+    const std::vector<std::uint32_t> places = places_of(scene.vertices);
+    std::vector<char> at_place(places.size());
+    for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+        at_place[places[vertex]] = static_cast<char>(at_place[places[vertex]] | at_vertex[vertex]);
+    }
+    drop_marked(scene, smaller, at_place, [&](std::uint32_t vertex) { return places[vertex]; });
+    std::vector<std::uint32_t> root(places.size());
+    std::iota(root.begin(), root.end(), 0U);
+    for (const std::uint32_t triangle : smaller) {
+        join(root, places, scene.triangles[triangle]);
+    }
+    std::map<std::uint32_t, Box> parts;
+    for (const std::uint32_t triangle : smaller) {
+        for (const std::uint32_t vertex : scene.triangles[triangle].vertices) {
+            parts[root_of(root, places[vertex])].add(scene.vertices[vertex].position);
+        }
+    }
+    for (const auto &[place, box] : parts) {
+        smallest = std::min(smallest, glm::length(box.high - box.low));
+    }
+    return smallest;
+}
+
 // Whether a triangle can be too large for anything: most scenes are through here.
 bool may_need_cuts(const Scene &scene) {
-    double largest = 0, smallest = std::numeric_limits<double>::infinity();
+    std::vector<double> sizes;
+    sizes.reserve(scene.triangles.size());
+    double largest = 0;
     for (const Triangle &triangle : scene.triangles) {
-        const double size = longest_edge(scene, triangle);
-        largest = std::max(largest, size);
-        smallest = size > 0 ? std::min(smallest, size) : smallest;
+        sizes.push_back(longest_edge(scene, triangle));
+        largest = std::max(largest, sizes.back());
     }
+    double smallest = smallest_part(scene, sizes, largest / largest_ratio);
     for (const Sphere &sphere : scene.spheres) {
         smallest = std::min(smallest, 2 * sphere.radius);
     }

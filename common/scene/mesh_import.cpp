@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -11,8 +12,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <unistd.h>
 
+#include "scene/assimp_glm.h"
 #include "scene/errors.h"
 #include "scene/mesh_file.h"
+#include "scene/mesh_formats.h"
 #include "scene/mesh_materials.h"
 #include "scene/placed_mesh.h"
 #include "scene/sandbox.h"
@@ -31,28 +34,19 @@ glm::dmat4 matrix_of(const Placement &placement) {
     return glm::scale(matrix, placement.scale);
 }
 
-// Assimp writes matrices row by row, GLM column by column.
-glm::dmat4 to_glm(const aiMatrix4x4 &m) {
-    return glm::transpose(glm::dmat4(m.a1, m.a2, m.a3, m.a4,  //
-                                     m.b1, m.b2, m.b3, m.b4,  //
-                                     m.c1, m.c2, m.c3, m.c4,  //
-                                     m.d1, m.d2, m.d3, m.d4));
-}
-
 // Calls `visit` with each mesh that the graph places, and how. Not recursive: graphs are deep.
-template <typename Visit>
-void for_each_placed(const aiScene &scene, const glm::dmat4 &placing, const Visit &visit) {
-    std::vector<std::pair<const aiNode *, glm::dmat4>> open{{scene.mRootNode, placing}};
+template <typename Visit> void for_each_placed(const aiScene &scene, const Visit &visit) {
+    std::vector<std::pair<const aiNode *, glm::dmat4>> open{{scene.mRootNode, glm::dmat4(1)}};
     while (!open.empty()) {
-        const auto [node, parent_to_world] = open.back();
+        const auto [node, parent_to_file] = open.back();
         open.pop_back();
         if (node) {  // Assimp's reader of RAW leaves holes
-            const glm::dmat4 to_world = parent_to_world * to_glm(node->mTransformation);
+            const glm::dmat4 to_file = parent_to_file * to_glm(node->mTransformation);
             for (const unsigned mesh : std::span(node->mMeshes, node->mNumMeshes)) {
-                visit(*scene.mMeshes[mesh], to_world);
+                visit(*scene.mMeshes[mesh], to_file);
             }
             for (unsigned i = node->mNumChildren; i-- > 0;) {  // the first is visited first
-                open.emplace_back(node->mChildren[i], to_world);
+                open.emplace_back(node->mChildren[i], to_file);
             }
         }
     }
@@ -67,61 +61,121 @@ std::uint64_t most_triangles() {
                                    memory / (sizeof(Triangle) + sizeof(Vertex) / 2));
 }
 
-void import_here(Scene &scene, const std::filesystem::path &file, const Placement &placement,
-                 int material, const SourceLocation &where) {
-    const auto refuse = [&](const std::string &what) {
-        throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
-    };
+[[noreturn]] void refuse(const std::filesystem::path &file, const SourceLocation &where,
+                         const std::string &what) {
+    throw UserError(fmt::format("{}: {}: {}", to_string(where), file.string(), what));
+}
+
+void require_memory_for(std::uint64_t triangles, const std::filesystem::path &file,
+                        const SourceLocation &where) {
+    if (triangles > most_triangles()) {
+        refuse(file, where,
+               fmt::format("makes {} triangles of the scene, expected at most {}, what memory and "
+                           "indices hold",
+                           triangles, most_triangles()));
+    }
+}
+
+// Of a scene without triangles; its last mesh is to hold them. Whether all have texture
+// coordinates.
+bool import_here(Scene &scene, const std::filesystem::path &file, int material,
+                 const SourceLocation &where) {
     const MeshFile meshes(file, where);
     allow_any_time();
-    MeshMaterials materials(scene, meshes.scene(), file, where);
-    const bool needs_coordinates =
-        material != material_of_file
-        && scene.materials[static_cast<std::size_t>(material)].texture != no_texture;
-    std::uint64_t faces = scene.triangles.size();
-    for_each_placed(meshes.scene(), glm::dmat4(1),
+    MeshMaterials materials(scene, meshes, file, where);
+    if (const std::string &missing = meshes.files().missing_materials;
+        material == material_of_file && !missing.empty()) {
+        scene.warnings.push_back(one_line(
+            fmt::format("{}: materials of {}: no file {}; its meshes are drawn in one colour",
+                        to_string(where), file.string(), missing)));
+    }
+    std::uint64_t faces = 0;
+    for_each_placed(meshes.scene(),
                     [&](const aiMesh &mesh, const glm::dmat4 &) { faces += mesh.mNumFaces; });
-    if (faces > most_triangles()) {
-        refuse(fmt::format("makes {} triangles of the scene, expected at most {}, what memory and "
-                           "indices hold",
-                           faces, most_triangles()));
+    require_memory_for(faces, file, where);
+    bool has_coordinates = true;
+    bool is_all_unseen = true;
+    for_each_placed(meshes.scene(), [&](const aiMesh &mesh, const glm::dmat4 &to_file) {
+        has_coordinates = has_coordinates && mesh.HasTextureCoords(0);
+        const Look look =
+            material == material_of_file ? materials.look_of(mesh) : Look{.material = material};
+        is_all_unseen = is_all_unseen && !look.is_seen;
+        if (look.is_seen && !append_placed(scene, mesh, to_file, look)) {
+            refuse(file, where, "is placed out of reach, expected finite coordinates");
+        }
+    });
+    materials.warn();
+    if (is_all_unseen) {
+        scene.warnings.push_back(fmt::format("{}: {}: is transparent as a whole: nothing is drawn",
+                                             to_string(where), file.string()));
+    } else if (scene.triangles.empty()) {
+        refuse(file, where, "has no triangles, expected at least one with an area");
     }
-    const std::size_t triangles_before = scene.triangles.size();
-    scene.meshes.push_back({.file = file, .where = where});
-    for_each_placed(
-        meshes.scene(), matrix_of(placement), [&](const aiMesh &mesh, const glm::dmat4 &to_world) {
-            if (needs_coordinates && !mesh.HasTextureCoords(0)) {
-                refuse("has no texture coordinates, expected a material without a texture");
-            }
-            const Look look =
-                material == material_of_file ? materials.look_of(mesh) : Look{.material = material};
-            if (!append_placed(scene, mesh, to_world, look)) {
-                refuse("is placed out of reach, expected coordinates of at most 1e18");
-            }
-        });
-    if (scene.triangles.size() == triangles_before) {
-        refuse("has no triangles, expected at least one with an area");
-    }
+    return has_coordinates;
 }
 
 }  // namespace
 
-void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
-                 int material, const SourceLocation &where) {
-    const std::string what = fmt::format("{}: {}", to_string(where), file.string());
+void MeshImporter::add(const std::filesystem::path &file, const Placement &placement, int material,
+                       const SourceLocation &where) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) {
-        throw UserError(what + ": no such file, expected a mesh");
+        refuse(file, where, "no such file, expected a mesh");
     }
-    const std::string bytes = run_sandboxed(what, std::filesystem::file_size(file, error), [&] {
-        const SceneSizes before(scene);
-        import_here(scene, file, placement, material, where);
-        return serialise_since(before, scene);
-    });
-    scene.meshes.push_back({.file = file, .where = where});
-    if (!append_serialised(scene, bytes, where)) {
-        throw UserError(what + ": can't be read: the reader went astray, expected another mesh");
+    scene_.meshes.push_back({.file = file, .where = where});
+    const MeshModel &model = model_of(file, material, where);
+    const bool has_own_material = material == material_of_file;
+    if (!has_own_material && !model.has_texture_coordinates
+        && scene_.materials[static_cast<std::size_t>(material)].texture != no_texture) {
+        refuse(file, where, "has no texture coordinates, expected a material without a texture");
     }
+    require_memory_for(scene_.triangles.size() + model.triangles.size(), file, where);
+    const std::size_t triangles_before = scene_.triangles.size();
+    if (!append_copy(scene_, model, matrix_of(placement),
+                     has_own_material ? std::nullopt : std::optional(material))) {
+        refuse(file, where, "is placed out of reach, expected coordinates of at most 1e18");
+    }
+    if (scene_.triangles.size() == triangles_before && !model.triangles.empty()) {
+        refuse(file, where, "is placed without an area, expected a larger scale");
+    }
+}
+
+const MeshModel &MeshImporter::model_of(const std::filesystem::path &file, int material,
+                                        const SourceLocation &where) {
+    const std::pair key{std::filesystem::canonical(file).string(), material == material_of_file};
+    const auto known = models_.find(key);
+    return known == models_.end() ? models_.emplace(key, read(file, material, where)).first->second
+                                  : known->second;
+}
+
+MeshModel MeshImporter::read(const std::filesystem::path &file, int material,
+                             const SourceLocation &where) {
+    const std::string what = fmt::format("{}: {}", to_string(where), file.string());
+    std::error_code unimportant;  // opening it will tell
+    const std::string bytes = run_sandboxed(
+        what, std::filesystem::file_size(file, unimportant),
+        [&] {
+            scene_.vertices.clear();  // in a process of its own
+            scene_.triangles.clear();
+            const SceneSizes before(scene_);
+            const bool has_coordinates = import_here(scene_, file, material, where);
+            return (has_coordinates ? '1' : '0') + serialise_since(before, scene_);
+        },
+        expected_instead_of(file).value_or("an undamaged file"));
+    MeshModel model;
+    model.has_texture_coordinates = bytes.starts_with('1');
+    const auto swap_triangles = [&] {
+        scene_.vertices.swap(model.vertices);
+        scene_.triangles.swap(model.triangles);
+    };
+    swap_triangles();
+    const bool is_sound =
+        !bytes.empty() && append_serialised(scene_, std::string_view(bytes).substr(1), where);
+    swap_triangles();
+    if (!is_sound) {
+        refuse(file, where, "can't be read: the reader went astray, expected another mesh");
+    }
+    return model;
 }
 
 }  // namespace stagelight

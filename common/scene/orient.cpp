@@ -99,7 +99,7 @@ void turn(Scene &scene, std::span<const std::uint32_t> triangles, std::vector<bo
 }
 
 // The number of edges where no way round is right.
-std::size_t orient(Scene &scene, const std::vector<std::uint32_t> &places,
+std::size_t orient(Scene &scene, std::vector<std::uint32_t> &places,
                    std::span<const std::uint32_t> triangles) {
     const EdgeGraph graph = edge_graph(scene, places, triangles);
     const Agreement agreement = agree(graph);
@@ -116,7 +116,7 @@ std::size_t orient(Scene &scene, const std::vector<std::uint32_t> &places,
             turn(scene, parts[i].triangles, turned);
         }
     }
-    point_normals_outwards(scene, parts, turned);
+    point_normals_outwards(scene, places, parts, turned);
     for (const Part &part : parts) {
         smooth_turned(scene, places, part, turned);
     }

@@ -55,8 +55,8 @@ void add_inwards(std::vector<std::uint32_t> &inwards, const Scene &scene, const 
 
 }  // namespace
 
-void point_normals_outwards(Scene &scene, const std::vector<Part> &parts,
-                            const std::vector<bool> &turned) {
+void point_normals_outwards(Scene &scene, std::vector<std::uint32_t> &places,
+                            const std::vector<Part> &parts, const std::vector<bool> &turned) {
     std::vector<std::uint32_t> inwards;
     for (const Part &part : parts) {
         add_inwards(inwards, scene, part, turned);
@@ -82,6 +82,7 @@ void point_normals_outwards(Scene &scene, const std::vector<Part> &parts,
                 if (right_vertices.contains(vertex)) {
                     known->second = static_cast<std::uint32_t>(scene.vertices.size());
                     scene.vertices.push_back(Vertex(scene.vertices[vertex]));
+                    places.push_back(places[vertex]);
                 }
                 Vertex &turned_vertex = scene.vertices[known->second];
                 turned_vertex.normal = -turned_vertex.normal;

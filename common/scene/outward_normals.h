@@ -12,8 +12,8 @@ namespace stagelight {
 // `turned` (of all triangles of the scene) just now. A ray is inside of glass or outside by these
 // normals, so they must not contradict the triangle. But they may lean: on a smooth mesh one of
 // three may point beneath its facet, and stays as it is. A vertex that has to serve both sides is
-// copied.
-void point_normals_outwards(Scene &scene, const std::vector<Part> &parts,
-                            const std::vector<bool> &turned);
+// copied. `places` is places_of the scene's vertices, and stays so.
+void point_normals_outwards(Scene &scene, std::vector<std::uint32_t> &places,
+                            const std::vector<Part> &parts, const std::vector<bool> &turned);
 
 }  // namespace stagelight

@@ -1,16 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "scene/picture.h"
 
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "scene/errors.h"
+#include "scene/exif.h"
 #include "scene/picture_decoder.h"
+#include "scene/plain_bmp.h"
+#include "scene/plain_tga.h"
 #include "scene/texture_set.h"
 
 namespace stagelight {
+
+namespace {
+
+// What the decoders read as it is meant.
+std::string plain(std::string bytes) {
+    std::optional<std::string> bmp = plain_bmp(bytes);
+    return bmp ? *std::move(bmp) : plain_tga(bytes).value_or(std::move(bytes));
+}
+
+// As Exif numbers them; 2 is from right to left.
+int orientation_of(const std::string &bytes) {
+    return is_mirrored_tga(bytes) ? 2 : exif_orientation(bytes);
+}
+
+void turn(Texture &texture, int orientation) {
+    if (orientation == 1) {
+        return;
+    }
+    const bool swaps = orientation >= 5;
+    const bool flips_x = orientation == 2 || orientation == 3 || orientation >= 7;
+    const bool flips_y =
+        orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
+    const int width = swaps ? texture.height : texture.width;
+    const int height = swaps ? texture.width : texture.height;
+    std::vector<std::uint8_t> turned;
+    turned.reserve(texture.texels.size());
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const int from_x = swaps ? y : x;
+            const int from_y = swaps ? x : y;
+            const auto column =
+                static_cast<std::size_t>(flips_x ? texture.width - 1 - from_x : from_x);
+            const auto row =
+                static_cast<std::size_t>(flips_y ? texture.height - 1 - from_y : from_y);
+            const std::uint8_t *texel =
+                texture.texels.data()
+                + 4 * (row * static_cast<std::size_t>(texture.width) + column);
+            turned.insert(turned.end(), texel, texel + 4);
+        }
+    }
+    texture.texels = std::move(turned);
+    texture.width = width;
+    texture.height = height;
+}
+
+}  // namespace
 
 void require_texture_size(std::uint64_t width, std::uint64_t height,
                           const std::filesystem::path &name, const SourceLocation &where) {
@@ -25,8 +79,11 @@ void require_texture_size(std::uint64_t width, std::uint64_t height,
     }
 }
 
-Texture read_picture(std::istream &stream, const std::filesystem::path &name,
+Texture read_picture(std::istream &file, const std::filesystem::path &name,
                      const SourceLocation &where) {
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const int orientation = orientation_of(bytes);
+    std::istringstream stream(plain(std::move(bytes)));
     const std::unique_ptr<PictureDecoder> decoder = picture_decoder(stream);
     const auto refuse = [&](const std::string &what) {
         const std::string complaint = decoder->complaint();
@@ -54,11 +111,13 @@ Texture read_picture(std::istream &stream, const std::filesystem::path &name,
     if (texels.empty()) {
         refuse("can't be brought to 8 bits a channel, expected 8 or 16 bits");
     }
-    return {.file = name,
-            .width = static_cast<int>(size.width),
-            .height = static_cast<int>(size.height),
-            .texels = std::move(texels),
-            .where = where};
+    Texture texture{.file = name,
+                    .width = static_cast<int>(size.width),
+                    .height = static_cast<int>(size.height),
+                    .texels = std::move(texels),
+                    .where = where};
+    turn(texture, orientation);
+    return texture;
 }
 
 }  // namespace stagelight

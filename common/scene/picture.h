@@ -9,10 +9,11 @@
 
 namespace stagelight {
 
-// The picture in `stream`, from its start; `name` says in messages which it is. Throws
+// The picture in what is left of `file`, turned as its Exif data says; `name` says in messages
+// which it is. Throws
 // UserError at `where` when it is no picture of a format that is read here, is cut short, or
 // is larger than texture_set.h allows.
-Texture read_picture(std::istream &stream, const std::filesystem::path &name,
+Texture read_picture(std::istream &file, const std::filesystem::path &name,
                      const SourceLocation &where);
 
 // Throws UserError unless texture_set.h allows a picture of this size.

@@ -2,6 +2,8 @@
 #include "scene/picture_decoder.h"
 
 #include <array>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <string_view>
 
@@ -148,7 +150,8 @@ private:
         if (!succeeds(is_read, reader)) {
             return std::nullopt;
         }
-        return PictureSize{unsigned(width), unsigned(height)};
+        // The height of a BMP whose top row is first is negative here.
+        return PictureSize{unsigned(width), std::uint64_t(std::abs(std::int64_t{height}))};
     }
 
     bool succeeds(bool is_read, const CheckedReader &reader) {

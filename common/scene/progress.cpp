@@ -18,11 +18,14 @@ namespace {
 constexpr std::chrono::seconds patience(2);
 constexpr std::chrono::milliseconds period(250);
 constexpr std::size_t bar_length = 24;
+constexpr std::size_t most_lines = 5;           // of warnings
 constexpr const char *clear_line = "\r\x1b[K";  // ECMA-48: carriage return, erase to the end
 
 std::atomic<bool> one_is_drawn = false;
-std::mutex terminal;      // who writes to it
+std::mutex terminal;      // who writes to it, and all below
 bool is_visible = false;  // a bar, since the last line
+std::vector<std::string> warnings;
+bool are_warnings_silenced = false;
 
 void clear() {
     if (std::exchange(is_visible, false)) {
@@ -62,9 +65,34 @@ void say(const std::string &line) {
 }
 
 void warn(const std::string &line) {
+    warn(std::vector{line});
+}
+
+void warn(const std::vector<std::string> &lines) {
     const std::lock_guard lock(terminal);
+    warnings.insert(warnings.end(), lines.begin(), lines.end());
+    if (are_warnings_silenced) {
+        return;
+    }
     clear();
-    fmt::print(stderr, "warning: {}\n", line);
+    const std::size_t shown = lines.size() > most_lines ? most_lines - 1 : lines.size();
+    for (std::size_t i = 0; i < shown; ++i) {
+        fmt::print(stderr, "warning: {}\n", lines[i]);
+    }
+    if (shown < lines.size()) {
+        fmt::print(stderr, "warning: {} more; --stats FILE has all of them\n",
+                   lines.size() - shown);
+    }
+}
+
+void silence_warnings() {
+    const std::lock_guard lock(terminal);
+    are_warnings_silenced = true;
+}
+
+std::vector<std::string> all_warnings() {
+    const std::lock_guard lock(terminal);
+    return warnings;
 }
 
 void Progress::keep_drawing(const std::stop_token &stop) {

@@ -162,7 +162,7 @@ void allow_any_time() {
 }
 
 std::string run_sandboxed(const std::string &what, std::uintmax_t file_size,
-                          const std::function<std::string()> &work) {
+                          const std::function<std::string()> &work, const std::string &expected) {
     Pipe pipe;
     const pid_t child = fork();
     if (child < 0) {
@@ -176,8 +176,8 @@ std::string run_sandboxed(const std::string &what, std::uintmax_t file_size,
     std::string bytes = pipe.read();
     const int status = status_of(child);
     if (WIFSIGNALED(status)) {
-        throw UserError(fmt::format("{}: can't be read: {}, expected an undamaged file", what,
-                                    death_by(WTERMSIG(status), file_size)));
+        throw UserError(fmt::format("{}: can't be read: {}, expected {}", what,
+                                    death_by(WTERMSIG(status), file_size), expected));
     }
     if (status != 0 || bytes.empty()) {  // a sanitizer has found a mistake of ours
         throw std::logic_error(fmt::format("reading {} ended with status {}", what, status));

@@ -4,8 +4,10 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <map>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -99,17 +101,39 @@ Plane read_plane(const TableReader &table, MaterialTable &materials) {
             .where = table.where()};
 }
 
-void read_mesh(Scene &scene, const TableReader &table, MaterialTable &materials) {
-    table.refuse_unknown({"file", "position", "rotation", "scale", "material"});
-    Placement placement;
-    placement.position = table.vector("position", any_number, placement.position);
-    placement.rotation = table.vector("rotation", any_number, placement.rotation);
-    placement.scale = table.has_array("scale") ? table.vector("scale", not_zero)
-                                               : glm::dvec3(table.number("scale", not_zero, 1.0));
-    const int material = table.has("material") ? materials.of_shape(table) : material_of_file;
-    import_mesh(scene, asset_of(table, "file", scene.file), placement, material,
-                table.where("file"));
-}
+// Reads [[meshes]] entries.
+class MeshReader {
+public:
+    MeshReader(Scene &scene, MaterialTable &materials)
+        : scene_file_(scene.file), materials_(materials), importer_(scene) {}
+
+    void read(const TableReader &table) {
+        table.refuse_unknown({"file", "position", "rotation", "scale", "material"});
+        Placement placement;
+        placement.position = table.vector("position", any_number, placement.position);
+        placement.rotation = table.vector("rotation", any_number, placement.rotation);
+        placement.scale = table.has_array("scale")
+                              ? table.vector("scale", not_zero)
+                              : glm::dvec3(table.number("scale", not_zero, 1.0));
+        const int material = table.has("material") ? materials_.of_shape(table) : material_of_file;
+        importer_.add(file_of(table), placement, material, table.where("file"));
+    }
+
+private:
+    // To search the packages takes milliseconds, and a thousand entries may name one file.
+    const std::filesystem::path &file_of(const TableReader &table) {
+        const std::string name = table.text("file");
+        const auto known = files_.find(name);
+        return known == files_.end()
+                   ? files_.emplace(name, asset_of(table, "file", scene_file_)).first->second
+                   : known->second;
+    }
+
+    std::filesystem::path scene_file_;
+    MaterialTable &materials_;
+    MeshImporter importer_;
+    std::map<std::string, std::filesystem::path> files_;  // by the name that entries have for it
+};
 
 Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
     root.refuse_unknown({"image", "camera", "background", "trace", "materials", "spheres", "planes",
@@ -131,11 +155,13 @@ Scene read_scene(const std::filesystem::path &file, const TableReader &root) {
     // Last: an import takes the longest, and appends materials of its own.
     const auto meshes = root.array_of_tables("meshes");
     Progress progress("loading the meshes of " + file.filename().string(), meshes.size());
+    MeshReader reader(scene, materials);
     for (const TableReader &table : meshes) {
-        read_mesh(scene, table, materials);
+        reader.read(table);
         progress.step();
     }
-    scene.warnings = orient_dielectrics(scene);
+    const std::vector<std::string> unclear = orient_dielectrics(scene);
+    scene.warnings.insert(scene.warnings.end(), unclear.begin(), unclear.end());
     settle_contacts(scene);
     cut_large_triangles(scene);
     if (scene.materials.empty()) {

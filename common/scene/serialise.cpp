@@ -111,12 +111,12 @@ Texture take_texture(Reader &reader) {
     return texture;
 }
 
-bool is_known(Wrap wrap) {
+bool is_sound(Wrap wrap) {
     return wrap == Wrap::repeat || wrap == Wrap::clamp || wrap == Wrap::mirror;
 }
 
 bool is_sound(const Texture &texture) {
-    return is_known(texture.wrap_u) && is_known(texture.wrap_v) && texture.width > 0
+    return is_sound(texture.wrap_u) && is_sound(texture.wrap_v) && texture.width > 0
            && texture.height > 0
            && texture.texels.size()
                   == std::size_t{4} * static_cast<unsigned>(texture.width)
@@ -127,7 +127,8 @@ bool is_sound(const Texture &texture) {
 
 SceneSizes::SceneSizes(const Scene &scene)
     : materials(scene.materials.size()), vertices(scene.vertices.size()),
-      triangles(scene.triangles.size()), textures(scene.textures.size()) {}
+      triangles(scene.triangles.size()), textures(scene.textures.size()),
+      warnings(scene.warnings.size()) {}
 
 std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     Writer writer;
@@ -140,6 +141,10 @@ std::string serialise_since(const SceneSizes &before, const Scene &scene) {
     writer.put(scene.textures.size() - before.textures);
     for (const Texture &texture : std::span(scene.textures).subspan(before.textures)) {
         put(writer, texture);
+    }
+    writer.put(scene.warnings.size() - before.warnings);
+    for (const std::string &warning : std::span(scene.warnings).subspan(before.warnings)) {
+        writer.put(std::span<const char>(warning));
     }
     return std::move(writer.bytes);
 }
@@ -161,6 +166,10 @@ bool append_serialised(Scene &scene, std::string_view bytes, const SourceLocatio
     for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
         scene.textures.push_back(take_texture(reader));
         is_whole = reader.is_sound() && is_sound(scene.textures.back());
+    }
+    for (auto count = reader.take_one<std::size_t>(); is_whole && count > 0; --count) {
+        reader.take(scene.warnings.emplace_back());
+        is_whole = reader.is_sound();
     }
     return is_whole && reader.is_sound() && reader.is_at_end()
            && are_sound(scene, std::span(scene.triangles).subspan(before.triangles))

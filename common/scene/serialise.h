@@ -13,7 +13,7 @@ namespace stagelight {
 // How far a scene has come.
 struct SceneSizes {
     explicit SceneSizes(const Scene &scene);
-    std::size_t materials, vertices, triangles, textures;
+    std::size_t materials, vertices, triangles, textures, warnings;
 };
 
 // What a mesh file has brought to the scene since it was of these sizes, as bytes.

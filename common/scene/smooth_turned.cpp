@@ -54,7 +54,7 @@ bool were_made(const Scene &scene, const std::vector<Corner> &around,
 
 }  // namespace
 
-void smooth_turned(Scene &scene, const std::vector<std::uint32_t> &places, const Part &part,
+void smooth_turned(Scene &scene, std::vector<std::uint32_t> &places, const Part &part,
                    const std::vector<bool> &turned) {
     std::map<std::uint32_t, std::vector<Corner>> around;  // places of turned triangles
     const auto each_corner = [&](bool of_turned, const auto &visit) {
@@ -86,6 +86,7 @@ void smooth_turned(Scene &scene, const std::vector<std::uint32_t> &places, const
                 normalize(smooth_normal(corners, corner, [](const Corner &) { return true; }));
             vertex = static_cast<std::uint32_t>(scene.vertices.size());
             scene.vertices.push_back(smoothed);
+            places.push_back(place);
         }
     }
 }

@@ -11,8 +11,8 @@ namespace stagelight {
 
 // Where a file has no normals, Assimp makes smooth ones, and leaves out a triangle that is the
 // wrong way round. Makes them again around those that were `turned`, where they were made so.
-// `places` is places_of the scene's vertices.
-void smooth_turned(Scene &scene, const std::vector<std::uint32_t> &places, const Part &part,
+// `places` is places_of the scene's vertices, and stays so.
+void smooth_turned(Scene &scene, std::vector<std::uint32_t> &places, const Part &part,
                    const std::vector<bool> &turned);
 
 }  // namespace stagelight

@@ -84,12 +84,12 @@ export default defineConfig({
       { text: 'The course', items: [...links(['start']), ...links(chapters)] },
       {
         text: 'Beside it',
-        items: links(['judging', 'chart', 'stability/index', 'opencl', 'debugging', 'paper', 'glossary']),
+        items: links(['judging', 'chart', 'stability/index', 'opencl', 'opencl-vectors', 'debugging', 'paper', 'glossary']),
       },
       {
         text: 'Reference',
         items: links(['other-systems', 'window', 'scene-format', 'methods', 'shading', 'architecture', 'benchmarks',
-          'mutants', 'pov-ray', 'gl-sharing-layer', 'implementations']),
+          'mutants', 'pov-ray', 'other-readers', 'gl-sharing-layer', 'implementations']),
       },
     ],
   },

@@ -146,7 +146,7 @@ static void trace_rays(const Scene *scene, WideRays *rays, const IncomingLanes *
     Wide3 weights[PACKETS];
     for (int packet = 0; packet < PACKETS; ++packet) {
         const Wide3 background = background_light(scene, &incoming[packet]);
-        const WideInt misses =  // without a word of infinity, which relaxed math does not know
+        const WideInt misses =  // not asked by distance < INFINITY: relaxed math may take that for true
             (hits[packet].shape == SHAPE_NONE) & (rays[packet].t_max > 0.0f);
         colors[packet] = wide_sum(colors[packet], masked(misses, background));
         lit[packet] = 0;

@@ -76,7 +76,7 @@ typedef struct TraversalStack {
     int count;
 } TraversalStack;
 
-// Among those from `bottom` on, at its place by distance.
+// Keeps the nodes from `bottom` on sorted by distance: nearer ones move up to make room.
 static void push_node(TraversalStack *stack, const int bottom, const int node, const float enter) {
     int place = stack->count++;
     for (; place > bottom && stack->enter[place - 1] < enter; --place) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a ray meets a triangle, with a threshold as in the code of Möller and Trumbore's paper and in much since:
-// but the determinant shrinks with the square of a triangle's size, and small meshes vanish.
+// Where a ray meets a triangle, with a threshold as in the code of Möller and Trumbore's paper (theirs is 1e-6)
+// and in much since. But the determinant shrinks with the square of a triangle's size, and small meshes vanish.
 #include "triangle.cl"
 
 static float intersect_triangle(const Ray ray, const Scene *scene, const int index, float2 *barycentric) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Stage 11 as a user meets it: what it warns of, how deep it goes, and what it leaves out.
+#include <algorithm>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -35,6 +38,53 @@ TEST_F(Stage11Warning, NamesGlassThatIsNotClosed) {
         << outcome;
     expect_part(outcome.err, "not closed: 3 of its edges");
     expect_part(outcome.out, "wrote a.png");
+}
+
+// One for each of so many files, whose textures are missing.
+class Stage11Warnings : public Cli {
+protected:
+    struct Said {
+        std::string err;
+        std::vector<std::string> in_stats;
+    };
+
+    Said draw(int files, std::vector<std::string> arguments = {}) const {
+        std::string scene = camera;
+        folder.write("a.mtl", "newmtl m\nmap_Kd none.png\n");
+        for (int i = 0; i < files; ++i) {
+            const std::string name = "a" + std::to_string(i) + ".obj";
+            folder.write(name, "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl m\n"
+                               "f 1/1 2/1 3/1\n");
+            scene += "[[meshes]]\nfile = \"" + name + "\"\n";
+        }
+        folder.write("scene.toml", scene);
+        arguments.insert(arguments.end(), {"scene.toml", "--size", small, "--out", "a.png",
+                                           "--stats", "stats.json"});
+        const Outcome outcome = run(stage, arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome;
+        return {outcome.err,
+                json::parse(std::ifstream(folder.path() / "stats.json")).at("warnings")};
+    }
+};
+
+TEST_F(Stage11Warnings, AreAtMostFiveLinesAndAllInTheStats) {
+    const Said five = draw(5);
+    EXPECT_EQ(std::ranges::count(five.err, '\n'), 5) << five.err;
+    EXPECT_EQ(five.in_stats.size(), 5U);
+    EXPECT_EQ(five.err.find("more"), std::string::npos) << five.err;
+    const Said seven = draw(7);
+    EXPECT_EQ(std::ranges::count(seven.err, '\n'), 5) << seven.err;
+    EXPECT_TRUE(seven.err.ends_with("\nwarning: 3 more; --stats FILE has all of them\n"))
+        << seven.err;
+    ASSERT_EQ(seven.in_stats.size(), 7U);
+    expect_part(seven.in_stats[6], "a6.obj: no file none.png");
+    EXPECT_TRUE(draw(0).in_stats.empty());
+}
+
+TEST_F(Stage11Warnings, AreNotPrintedWhenQuiet) {
+    const Said said = draw(1, {"--quiet"});
+    EXPECT_EQ(said.err, "");
+    EXPECT_EQ(said.in_stats.size(), 1U);
 }
 
 TEST_F(Stage11Warning, IsNotForClosedGlass) {

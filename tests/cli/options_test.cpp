@@ -48,7 +48,7 @@ TEST_P(EveryStage, HelpListsEveryOption) {
     expect_done(outcome);
     for (const char *option :
          {"size", "out", "samples", "depth", "device", "frames", "method", "kernels", "stats",
-          "list-devices", "window", "display", "texture", "scale", "verbose", "version"}) {
+          "list-devices", "window", "display", "texture", "scale", "verbose", "quiet", "version"}) {
         EXPECT_TRUE(starts_a_line(outcome.out, fmt::format("--{} ", option))) << option;
     }
     for (const char *part : {"\n  scene ", "--help "}) {

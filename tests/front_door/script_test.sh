@@ -82,7 +82,8 @@ test_help_names_each_command() {
         # shellcheck disable=SC2086 # no argument at all is one of the cases
         stagelight $arguments
         expect_equal "exit code of '$arguments'" 0 $code
-        for command in run test mutate golden bench chart show diff stability povray check fuzz doctor help; do
+        for command in run test mutate golden bench chart show diff stability povray readers check fuzz doctor \
+            help; do
             expect_text "'$arguments' names $command" $'\n'"  $command" "$output"
         done
     done
@@ -198,7 +199,7 @@ test_help_of_each_command_builds_and_installs_nothing() {
     local command
     fake_installed
     for command in run test mutate golden report bench chart show diff step exercise docs check stability fuzz povray \
-        doctor; do
+        readers doctor; do
         stagelight $command --help
         expect_equal "exit code of $command --help" 0 $code
         expect_text "its own lines" "  $command" "$output"
@@ -417,12 +418,13 @@ installs() {
 
 test_set_up_for_each_purpose() {
     mkdir "$checkout/tests" "$checkout/tests/fuzz"
+    fake npm ''
     local command
     expect_equal "run" "one two three" "$(installs run)"
     for command in step exercise show diff report; do
         expect_equal "$command" "one two three read" "$(installs $command)"
     done
-    for command in test golden bench chart mutate stability povray fuzz; do
+    for command in test golden bench chart mutate stability povray readers fuzz; do
         expect_equal "$command" "one two three read try rare" "$(installs $command)"
     done
     expect_equal "bench peers" "one two three read try four rare" "$(installs bench peers)"

@@ -29,7 +29,7 @@ list_files() {
     for ending in "$@"; do
         endings+=(-o -iname "*.$ending")
     done
-    find "$models" "$root/scenes" -type f -size "-${largest}c" \( "${endings[@]:1}" \)
+    find "$models" "$root/scenes" "$root/tests/fuzz/seeds" -type f -size "-${largest}c" \( "${endings[@]:1}" \)
 }
 
 # The first byte says which format it is, by its place in the list of inputs.h.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/inputs.h"
 
+#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -24,6 +25,10 @@ void try_file(const std::string &name, std::string_view bytes, const Read &read)
     }
 }
 
+constexpr std::string_view wears_materials =
+    "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+    "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\n";
+
 }  // namespace
 
 void read_scene(std::string_view bytes) {
@@ -34,9 +39,13 @@ void read_mesh(std::string_view bytes) {
     if (!bytes.empty()) {
         const auto format = static_cast<unsigned char>(bytes.front()) % std::size(mesh_formats);
         try_file("mesh." + std::string(mesh_formats[format]), bytes.substr(1),
-                 [](const std::filesystem::path &file) {
+                 [](std::filesystem::path file) {
+                     if (file.extension() == ".mtl") {
+                         file.replace_extension(".obj");
+                         std::ofstream(file) << wears_materials;
+                     }
                      Scene scene;
-                     import_mesh(scene, file, {}, material_of_file, {.file = "scene.toml"});
+                     MeshImporter(scene).add(file, {}, material_of_file, {.file = "scene.toml"});
                  });
     }
 }

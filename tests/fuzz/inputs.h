@@ -12,8 +12,8 @@ void read_scene(std::string_view bytes);
 void read_mesh(std::string_view bytes);
 void read_texture(std::string_view bytes);
 
-// Extensions; fuzz.sh makes its seeds from this list.
-constexpr std::string_view mesh_formats[]{"obj", "ply",   "stl", "off", "gltf", "glb",
-                                          "3ds", "blend", "dae", "fbx", "x",    "lwo"};
+// Extensions, and that of the materials of an OBJ; fuzz.sh makes its seeds from this list.
+constexpr std::string_view mesh_formats[]{"obj",   "ply", "stl", "off", "gltf", "glb", "3ds",
+                                          "blend", "dae", "fbx", "x",   "lwo",  "mtl"};
 
 }  // namespace stagelight::fuzz

@@ -7,6 +7,11 @@ namespace stagelight {
 
 inline const SourceLocation mesh_entry{"scene.toml", 3, 1};
 
+inline void import_mesh(Scene &scene, const std::filesystem::path &file, const Placement &placement,
+                        int material, const SourceLocation &where) {
+    MeshImporter(scene).add(file, placement, material, where);
+}
+
 // A scene of this mesh alone.
 inline Scene imported(const std::filesystem::path &file, const Placement &placement = {}) {
     Scene scene;

@@ -87,6 +87,14 @@ TEST(MeshErrors, TextFile) {
     expect_refusal(folder.write("a.txt", "no mesh at all\n"), "can't be read");
 }
 
+// Assimp's reader of PLY would be busy to its limit of time.
+TEST(MeshErrors, PlyThatPromisesMoreThanItHolds) {
+    const TemporaryFolder folder;
+    expect_refusal(folder.write("a.ply", "ply\nformat binary_big_endian 1.0\nelement vertex 4\n"
+                                         "property float x\nelement face 2 more\n"),
+                   "its header has no end");
+}
+
 TEST(MeshErrors, IndexOutOfRangeInAFileThatAssimpTakes) {
     const TemporaryFolder folder;
     expect_refusal(folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n"
@@ -151,9 +159,20 @@ TEST(MeshErrors, ASecondMeshWithoutTriangles) {
               std::string::npos);
 }
 
+TEST(MeshErrors, PlacedWithoutArea) {
+    const TemporaryFolder folder;
+    Scene scene;
+    EXPECT_EQ(message_of([&] {
+                  import_mesh(scene, folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+                              {.scale = {1, 1e-14, 1}}, material_of_file, mesh_entry);
+              }),
+              "scene.toml:3:1: " + (folder.path() / "a.obj").string()
+                  + ": is placed without an area, expected a larger scale");
+}
+
 TEST(MeshErrors, OutOfReach) {
     const TemporaryFolder folder;
-    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n"),
+    expect_refusal(folder.write("a.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n"),
                    "out of reach");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -82,17 +83,123 @@ TEST_F(MeshMaterials, LoadsASharedTextureOnce) {
                                      "usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1/1 3/3 2/2\n");
     Scene scene = imported(file);
     import_mesh(scene, file, {}, material_of_file, mesh_entry);
-    EXPECT_EQ(scene.materials.size(), 4U);
+    EXPECT_EQ(scene.materials.size(), 4U) << "by two importers";
     EXPECT_EQ(scene.textures.size(), 1U);
 }
 
-TEST_F(MeshMaterials, RefusesAMissingTexture) {
+TEST_F(MeshMaterials, MissingTexturesCostOneWarning) {
+    const fs::path file =
+        write_mesh("newmtl m\nKd 1 0.5 0\nmap_Kd none.png\nnewmtl n\nmap_Kd C:\\art\\other.png\n"
+                   "newmtl o\nmap_Kd none.png\n",
+                   "usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1/1 3/3 2/2\nusemtl o\nf 2/2 1/1 3/3\n");
+    const Scene scene = imported(file);
+    EXPECT_EQ(scene.materials.at(0).color, glm::dvec3(1, 0.5, 0));
+    EXPECT_EQ(scene.materials.at(0).texture, no_texture);
+    EXPECT_EQ(scene.warnings,
+              std::vector{"scene.toml:3:1: texture of " + file.string()
+                          + ": no file none.png (and 1 more); the material's colour is drawn "
+                            "instead"});
+}
+
+TEST_F(MeshMaterials, UnreadableTexturesCostOneWarningWithTheCause) {
+    folder.write("text.png", "no picture");
+    fs::copy(checker, folder.path() / "cut.png");
+    fs::resize_file(folder.path() / "cut.png", 60);
+    const fs::path file =
+        write_mesh("newmtl m\nKd 1 0.5 0\nmap_Kd text.png\nnewmtl n\nmap_Kd cut.png\n",
+                   "usemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1/1 3/3 2/2\n");
+    const Scene scene = imported(file);
+    EXPECT_EQ(scene.materials.at(0).texture, no_texture);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    const std::string &line = scene.warnings[0];
+    EXPECT_EQ(line.rfind("scene.toml:3:1: texture of " + file.string() + ": ", 0), 0U) << line;
+    EXPECT_NE(line.find("text.png is not a picture that can be read"), std::string::npos) << line;
+    EXPECT_NE(line.find("(and 1 more); the material's colour is drawn instead"), std::string::npos)
+        << line;
+}
+
+TEST_F(MeshMaterials, MissingMaterialsCostOneWarning) {
+    const fs::path file =
+        folder.write("a.obj", "mtllib none.mtl\nmtllib more.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                              "usemtl m\nf 1 2 3\n");
+    EXPECT_EQ(imported(file).warnings,
+              std::vector{"scene.toml:3:1: materials of " + file.string()
+                          + ": no file none.mtl; its meshes are drawn in one colour"});
+    Scene scene;
+    scene.materials.emplace_back();
+    import_mesh(scene, file, {}, 0, mesh_entry);
+    EXPECT_TRUE(scene.warnings.empty()) << "it is drawn in the scene's material";
+}
+
+TEST_F(MeshMaterials, IsFoundInAnyLetterCaseAndTexturesBesideIt) {
+    folder.write("Materials/My A.MTL", "newmtl m\nKd 0 1 0\nmap_Kd images/c.png\n");
+    fs::create_directories(folder.path() / "Materials/images");
+    fs::copy(checker, folder.path() / "Materials/images/c.png");
+    const fs::path file =
+        folder.write("a.obj", "mtllib materials/my%20a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+                              "usemtl m\nf 1/1 2/1 3/1\n");
+    const Scene scene = imported(file);
+    EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+    EXPECT_EQ(scene.materials.at(0).color, glm::dvec3(0, 1, 0));
+    EXPECT_EQ(scene.textures.size(), 1U);
+}
+
+TEST_F(MeshMaterials, TakesNoTextureFromTheAssetPath) {
+    folder.write("assets/test.png", "");
+    fs::copy_file(checker, folder.path() / "assets/test.png", fs::copy_options::overwrite_existing);
+    setenv("STAGELIGHT_ASSETS", (folder.path() / "assets").c_str(), 1);
+    folder.write("models/a.mtl", "newmtl m\nmap_Kd test.png\n");
+    const fs::path file =
+        folder.write("models/a.obj", std::string(triangle) + "usemtl m\nf 1/1 2/2 3/3\n");
+    const Scene scene = imported(file);
+    unsetenv("STAGELIGHT_ASSETS");
+    EXPECT_TRUE(scene.textures.empty());
+    EXPECT_EQ(scene.warnings.size(), 1U);
+}
+
+// Debian's assimp-testmodels has a test.png, and Assimp calls a texture of its own
+// $texture_dummy.bmp.
+TEST_F(MeshMaterials, NamesThatAssimpInventsAreNone) {
+    const Scene scene =
+        imported(write_mesh("newmtl m\nmap_Kd $texture_dummy.bmp\n", "usemtl m\nf 1/1 2/2 3/3\n"));
+    EXPECT_TRUE(scene.textures.empty());
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(MeshMaterials, OfAFileThatManyEntriesNameAreReadOnce) {
     const fs::path file = write_mesh("newmtl m\nmap_Kd none.png\n", "usemtl m\nf 1/1 2/2 3/3\n");
-    const std::string message = message_of([&] { imported(file); });
-    EXPECT_EQ(message.rfind("scene.toml:3:1: ", 0), 0U) << message;
-    EXPECT_NE(message.find(file.string()), std::string::npos) << message;
-    EXPECT_NE(message.find("none.png"), std::string::npos) << message;
-    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+    Scene scene;
+    scene.materials.emplace_back();
+    MeshImporter importer(scene);
+    importer.add(file, {}, material_of_file, mesh_entry);
+    importer.add(file, {.position = {5, 0, 0}}, material_of_file, {"scene.toml", 9, 1});
+    importer.add(file, {.scale = glm::dvec3(-1)}, 0, {"scene.toml", 12, 1});
+    EXPECT_EQ(scene.materials.size(), 2U);
+    EXPECT_EQ(scene.warnings.size(), 1U) << "where it is named first";
+    ASSERT_EQ(scene.meshes.size(), 3U);
+    ASSERT_EQ(scene.triangles.size(), 3U);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(scene.triangles[static_cast<std::size_t>(i)].mesh, i);
+    }
+    EXPECT_EQ(scene.triangles[1].material, 1);
+    EXPECT_EQ(scene.triangles[2].material, 0);
+    EXPECT_EQ(scene.vertices.at(scene.triangles[1].vertices[1]).position, glm::dvec3(6, 0, 0));
+    EXPECT_EQ(scene.vertices.at(scene.triangles[2].vertices[2]).position, glm::dvec3(-1, 0, 0))
+        << "mirrored: its corners go the other way round";
+}
+
+// A file that changes while the scene is loaded is not read again.
+TEST_F(MeshMaterials, ReadsAFileThatIsNamedInTwoWaysOnce) {
+    const fs::path file = write_mesh("newmtl m\n", "usemtl m\nf 1 2 3\n");
+    Scene scene;
+    MeshImporter importer(scene);
+    importer.add(file, {}, material_of_file, mesh_entry);
+    folder.write("a.obj", "no longer a mesh");
+    importer.add(folder.path() / "." / "a.obj", {}, material_of_file, mesh_entry);
+    EXPECT_EQ(scene.triangles.size(), 2U);
+    Scene another;
+    EXPECT_NE(
+        message_of([&] { MeshImporter(another).add(file, {}, material_of_file, mesh_entry); }), "");
 }
 
 TEST_F(MeshMaterials, NeedsNoTextureWithoutCoordinates) {

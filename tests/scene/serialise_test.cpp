@@ -16,10 +16,10 @@ Scene sound_scene() {
     Scene scene;
     scene.vertices.resize(4);
     scene.vertices[3].position = {1, 2, 3};
-    scene.vertices[3].color = {0.5, 0.25, 1};
+    scene.vertices[3].color = {0.5, 0.25, 0.125};
     scene.meshes.push_back({.file = "a.obj", .where = here});
     scene.materials.push_back(
-        {.color = {1, 0.5, 0.25}, .texture = 0, .alpha_cutoff = 0.5, .where = here});
+        {.color = {1, 0.5, 0.25}, .texture = 0, .alpha_cutoff = 0.25, .where = here});
     scene.triangles.push_back({.vertices = {0, 1, 2}});
     scene.triangles.push_back({.vertices = {1, 2, 3}});
     scene.textures.push_back({.file = "a.png",
@@ -29,6 +29,7 @@ Scene sound_scene() {
                               .height = 1,
                               .texels = {1, 2, 3, 4, 5, 6, 7, 8},
                               .where = here});
+    scene.warnings = {"a.obj: no file b.png", ""};
     return scene;
 }
 
@@ -52,18 +53,19 @@ TEST(Serialise, BringsAScenePartBack) {
     ASSERT_TRUE(is_taken(sound_scene(), scene));
     EXPECT_EQ(scene.vertices.size(), 4U);
     EXPECT_EQ(scene.vertices[3].position, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(scene.vertices[3].color, glm::dvec3(0.5, 0.25, 1));
     ASSERT_EQ(scene.triangles.size(), 2U);
     EXPECT_EQ(scene.triangles[1].vertices, (std::array<std::uint32_t, 3>{1, 2, 3}));
     ASSERT_EQ(scene.materials.size(), 1U);
     EXPECT_EQ(scene.materials[0].color, glm::dvec3(1, 0.5, 0.25));
-    EXPECT_EQ(scene.materials[0].alpha_cutoff, 0.5);
+    EXPECT_EQ(scene.vertices[3].color, glm::dvec3(0.5, 0.25, 0.125));
+    EXPECT_EQ(scene.materials[0].alpha_cutoff, 0.25);
     ASSERT_EQ(scene.textures.size(), 1U);
-    EXPECT_EQ(scene.textures[0].texels, sound_scene().textures[0].texels);
-    EXPECT_EQ(scene.textures[0].file, "a.png");
     EXPECT_EQ(scene.textures[0].wrap_u, Wrap::clamp);
     EXPECT_EQ(scene.textures[0].wrap_v, Wrap::mirror);
+    EXPECT_EQ(scene.textures[0].texels, sound_scene().textures[0].texels);
+    EXPECT_EQ(scene.textures[0].file, "a.png");
     EXPECT_EQ(scene.textures[0].where.column, 1U);
+    EXPECT_EQ(scene.warnings, sound_scene().warnings);
 }
 
 TEST(Serialise, RefusesWhatPointsPastTheEnd) {
@@ -81,6 +83,7 @@ TEST(Serialise, RefusesWhatPointsPastTheEnd) {
 TEST(Serialise, RefusesATextureOfAnotherSize) {
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].width = 3; }));
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].height = 2; }));
+    EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].wrap_u = static_cast<Wrap>(3); }));
     EXPECT_FALSE(is_taken_with([](Scene &s) { s.textures[0].texels.pop_back(); }));
     EXPECT_FALSE(is_taken_with([](Scene &s) {
         s.textures[0].width = 0;

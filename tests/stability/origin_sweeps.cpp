@@ -194,8 +194,8 @@ Scene coin_on_ground(double reach, const Material &of_ground) {
     const int ground = reference::add_material(scene, of_ground);
     const dvec3 left(-reach, 0, -reach), right(reach, 0, -reach), near(reach, 0, reach),
         far(-reach, 0, reach);
-    reference::add_triangle(scene, near, right, left, ground);
-    reference::add_triangle(scene, far, near, left, ground);
+    reference::add_flat_triangle(scene, near, right, left, ground);
+    reference::add_flat_triangle(scene, far, near, left, ground);
     const int red = reference::add_material(scene, reference::diffuse({1, 0.25, 0.125}));
     reference::add_box(scene, {-0.5, 0.001, -0.5}, {0.5, 0.05, 0.5}, red);
     reference::add_directional_light(scene, {-1, -0.5, 0.25}, dvec3(1), 1);
@@ -204,37 +204,38 @@ Scene coin_on_ground(double reach, const Material &of_ground) {
     return scene;
 }
 
-// Beside the picture of a small ground, since an edge's pixels are what counts here. The horizon is
-// out of sight.
+// Beside the picture of a small ground: edges count here, of which rounding may move a pixel. The
+// horizon is out of sight. Stage 05 has all that this needs, and one kernel for all grounds.
 TEST_P(StabilityStage11Origin, ACoinOnALargeGround) {
     const auto drawn = [&](double reach, const Material &ground, const char *method) {
         const Scene scene = coin_on_ground(reach, ground);
         RenderSettings settings = render::settings_of(scene);
-        settings.methods = {{"width", "1"}, {"origin", method}};
-        return renderer(stage(), scene, settings).render().image.pixels;
+        settings.methods = {{"origin", method}};
+        return renderer("05_meshes", scene, settings).render().image.pixels;
     };
-    const char *const mirrors[] = {"origin_ground", "origin_mirror_ground"};
-    for (const char *name : mirrors) {
-        const bool is_mirror = name == mirrors[1];
-        const Material ground =
-            is_mirror ? reference::mirror(dvec3(0.75)) : reference::diffuse(dvec3(0.75));
-        Sweep sweep(about(name, is_mirror ? "A coin on a large mirror" : "A coin on a large ground",
-                          "size of the ground", "to a ground of 2e6 coins"),
-                    GetParam());
+    const auto sweep_over = [&](Question question, const Material &ground) {
+        question.limit = 1e-3;
+        Sweep sweep(question, GetParam());
         const auto truth = drawn(10, ground, "error_bound");
-        for (const int power : {2, 3, 4, 5, 6}) {
+        for (int power = 2; power <= 6; ++power) {
             const double reach = std::pow(10, power);
             for (const char *method : methods) {
                 const auto pixels = drawn(reach, ground, method);
                 double wrong = 0;
                 for (std::size_t i = 0; i < pixels.size(); ++i) {
-                    wrong += glm::distance(pixels[i], truth[i]) > 0.02 ? 1 : 0;
+                    wrong += glm::distance(pixels[i], truth[i]) < 0.02 ? 0 : 1;
                 }
                 sweep.add(method, reach, wrong / double(pixels.size()));
             }
         }
         sweep.expect_holds("error_bound", 1e6);
-    }
+    };
+    sweep_over(about("origin_ground", "A coin on a large ground", "size of the ground / coin",
+                     "to a ground of 1e6 coins"),
+               reference::diffuse(dvec3(0.75)));
+    sweep_over(about("origin_mirror_ground", "A coin on a large mirror",
+                     "size of the mirror / coin", "to a mirror of 1e6 coins"),
+               reference::mirror(dvec3(0.75)));
 }
 
 // A light at `height` above a floor, or above the ball on it, seen from as near; half-way to it a

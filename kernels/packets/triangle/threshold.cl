@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where rays meet a triangle, with a threshold as in the code of Möller and Trumbore's paper and in much since:
-// but the determinant shrinks with the square of a triangle's size, and small meshes vanish.
+// Where rays meet a triangle, with a threshold as in the code of Möller and Trumbore's paper (theirs is 1e-6) and
+// in much since. But the determinant shrinks with the square of a triangle's size, and small meshes vanish.
 #include "packets/triangle.cl"
 
 static Wide wide_ray_triangle(const WideRays *rays, const TriangleRays *shared, const Scene *scene,
