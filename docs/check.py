@@ -169,7 +169,7 @@ def check_pages():
     chapters = sorted((DOCS / "chapters").glob("*.md"))
     pages = sorted(DOCS.glob("*.md")) + chapters + [DOCS / "stability" / "index.md"]
     tasks = sorted(ROOT.glob("stages/*/exercises/*/README.md"))
-    for page in pages + tasks:
+    for page in pages + tasks + sorted(ROOT.glob("stages/*/core/*/README.md")):
         if page.read_text().startswith("<!-- Written by"):
             continue  # by one of our programs
         check_code_font(page, known, paths)

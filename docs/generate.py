@@ -105,20 +105,43 @@ def show_costs():
 
 # --- The exercises
 
+def solution_of(exercise):
+    """Of a core exercise, what the course has there, as far as the stage has learnt it; of a method that is not the
+    default, all."""
+    file = exercise / "exercise.cl"
+    if not exercises.is_core(exercise):
+        return "\n".join(line for _, line in exercises.part_of(file, "solution"))
+    lesson = difference.lesson(exercise.parents[1], with_regions=True)
+    parts = []
+    for target, name, _ in exercises.regions_of(file, "solution"):
+        lines = lesson.get(target) or (ROOT / target).read_text().splitlines()
+        text = "\n".join(show.without_gaps(lines)) + "\n"
+        start, end = exercises.span_of(text, file, target, name)
+        lines = [line for line in text[start:end].splitlines() if "#region" not in line and "#endregion" not in line]
+        parts.append("\n".join([f"// {target}", *lines]))
+    return "\n\n".join(parts)
+
+
 def show_exercise(exercise):
-    stage, number = exercise.parts[-3][:2], exercise.name.split("_")[0]
-    command = f"./stagelight exercise {stage} {number}"
-    solution = "\n".join(line for _, line in exercises.part_of(exercise / "exercise.cl", "solution"))
+    command = f"./stagelight exercise {exercise.parts[-3][:2]} {exercises.address_of(exercise)}"
     return "\n".join([
         (exercise / "README.md").read_text(),
-        f"The first time, `{command}` makes your file, `work/{exercise.parts[-3]}/{exercise.name}.cl`; then it builds, "
+        f"The first time, `{command}` makes your file, `{exercises.copy_of(exercise).relative_to(ROOT)}`; then it builds, "
         f"draws and tests what you wrote. `{command} --solution` shows where it leads.\n",
-        details("A solution", fenced("c", solution))])
+        details("A solution", fenced("c", solution_of(exercise)))])
 
 
 def show_exercises():
     for stage in difference.stages():
-        write(f"exercises_{stage.name[:2]}.md", "\n".join(map(show_exercise, exercises.exercises(stage.name))))
+        chosen = exercises.exercises(stage.name)
+        core = [exercise for exercise in chosen if exercises.is_core(exercise)]
+        parts = list(map(show_exercise, chosen))
+        if core:
+            parts.insert(0, "First write this chapter's own functions, one after the other: "
+                            f"{', '.join(f'`{exercises.title_of(exercise)}`' for exercise in core)}. In each the course's "
+                            "function is gone, and a test tells you what your picture has wrong. What follows them is "
+                            "new.\n")
+        write(f"exercises_{stage.name[:2]}.md", "\n".join(parts))
 
 
 # --- Pictures

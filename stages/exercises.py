@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""exercises.py BUILD list | prove [STAGE] | STAGE K [--solution]
+"""exercises.py BUILD list | status | reset STAGE K [--yes] | prove [STAGE] | STAGE K [--solution]
 
 An exercise of a stage is a folder stages/NN_name/exercises/K_title with
-  README.md    the task, and hints in steps;
+  README.md    the task, its third line the time that it takes and how hard it is, and hints in steps;
   exercise.cl  regions of the kernels, each below a comment that names its file. Where the student has something to
                write, stub and solution stand one after the other:
                    // #stub
@@ -12,12 +12,20 @@ An exercise of a stage is a folder stages/NN_name/exercises/K_title with
                        return t > 0.0f ? t : INFINITY;
                    // #end
   test.py      check(attempt), which raises Wrong until the task is done.
-The student works on work/NN_name/K_title.cl, which git ignores: it begins as the stub, without the solution.
+A core exercise, stages/NN_name/core/K_title, asks for a function of the course itself, in the chapter's order. Its
+exercise.cl has stubs only: the solution is what the kernels have in these regions. Its test.py has MISTAKES that
+students make, each a text of these regions, what takes its place, and a sentence that tells the student of it.
+An attempt whose picture is that of such a mistake gets the sentence.
+The student works on work/NN_name/K_title.cl, or title.cl of a core exercise. Git ignores work. The file begins as the
+stub, without the solution. STAGE K names an exercise, K being its number or title; a core exercise has a title only.
 An attempt is the stage's program with the kernels in which these regions are replaced. What its pictures
 must be is worked out in test.py with NumPy, in double, or measured on the picture: never by a kernel.
 """
 import concurrent.futures
+import datetime
+import hashlib
 import importlib.util
+import json
 import os
 import re
 import shutil
@@ -33,10 +41,14 @@ import OpenImageIO as oiio
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = (160, 96)
 LIMIT = 120  # seconds that a program may take
+MISTAKES = 5  # that a core exercise knows, at the least
 
 
 class Wrong(Exception):
-    """What the task asks for is not there."""
+    """What the task asks for is not there: a text, and where a picture shows it, the one expected."""
+
+    def __str__(self):
+        return self.args[0]
 
 
 class DoesNotRun(Exception):
@@ -163,6 +175,12 @@ def normals_and_distances(scene, distance, normal):
     return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
 
 
+def first_hits(scene, size=SIZE):
+    """What stage 01 draws."""
+    distance, normal, _ = closest(scene, *rays(scene, size))
+    return normals_and_distances(scene, distance, normal)
+
+
 def reflectance(scene, index):
     """The materials' colours of what closest() found; black where there is nothing."""
     described = tomllib.loads(scene_text(scene))
@@ -190,17 +208,21 @@ def scene_text(scene):
 # --- An attempt
 
 class Attempt:
-    """The program of the exercise's stage, with the regions of a part of the file in its kernels."""
+    """The program of the exercise's stage, with the regions of a part of the file in its kernels. options: those that
+    each of its pictures is drawn with."""
 
-    def __init__(self, build, exercise, file, part, scratch):
+    def __init__(self, build, exercise, file, part, scratch, options=()):
         self.program = build / "stages" / exercise.parent.parent.name
         self.exercise = exercise
         self.scratch = scratch
         self.kernels = scratch / "attempt"
         # Kernels built by an earlier run would hide no mistake, but these folders are not for keeps.
         self.environment = os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_exercises")}
+        self.options = options
+        self.drawn = None  # the last picture, and how it was drawn
         copy_kernels(self.kernels)
-        replace_regions(self.kernels, file, part)
+        if not (is_core(exercise) and part == "solution"):  # which is the kernels' own
+            replace_regions(self.kernels, file, part)
         # One ray in a work-item, as on a GPU, is drawn without these.
         self.has_packets = any(target.startswith("kernels/packets/") for target, *_ in regions_of(file, part))
 
@@ -210,7 +232,9 @@ class Attempt:
         picture = self.scratch / "picture.exr"
         self.draw(picture, *options, scene=scene, size=size, original=original)
         # Not as an ImageBuf: its cache takes a file written within the same second for the one before.
-        return np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
+        pixels = np.array(oiio.ImageInput.open(str(picture)).read_image(oiio.FLOAT), float)[..., :3]
+        self.drawn = pixels, options, {"scene": scene, "size": size}
+        return pixels
 
     def draw(self, picture, *options, scene=None, size=SIZE, original=False):
         """A file, PNG or EXR."""
@@ -219,7 +243,8 @@ class Attempt:
             path = self.scratch / "scene.toml"
             path.write_text(scene_text(scene))
             command.append(path)
-        command += ["--size", f"{size[0]}x{size[1]}", "--out", picture, "--display", "none", *map(str, options)]
+        command += ["--size", f"{size[0]}x{size[1]}", "--out", picture, "--display", "none",
+                    *map(str, self.options + options)]
         if self.has_packets and not any("width=" in str(option) for option in options):
             command += ["--method", "width=16"]
         if not original:
@@ -239,13 +264,14 @@ class Attempt:
         wrong = ~(difference <= tolerance)  # NaN is wrong
         if wrong.mean() <= strays:
             return
-        folder = Path("out/exercises") / f"{self.exercise.parent.parent.name}_{self.exercise.name}"
+        folder = Path("out/exercises") / f"{self.exercise.parts[-3]}_{file_name_of(self.exercise)}"
         write_png(folder / "yours.png", picture)
         write_png(folder / "expected.png", expected)
         write_png(folder / "difference.png", np.repeat(difference[..., None], 3, axis=-1))
         y, x = np.unravel_index(np.argmax(np.nan_to_num(difference, nan=np.inf)), difference.shape)
         raise Wrong(f"{what}: {wrong.sum()} of {wrong.size} pixels differ by more than {tolerance:g}; the worst, at "
-                    f"({x}, {y}), is {rounded(picture[y, x])} and should be {rounded(expected[y, x])}; see {folder}")
+                    f"({x}, {y}), is {rounded(picture[y, x])} and should be {rounded(expected[y, x])}; see {folder}",
+                    expected)
 
 
 def rounded(color):
@@ -317,10 +343,7 @@ def replace_regions(folder, file, part):
     for target, name, lines in regions_of(file, part):
         path = folder / target
         text = path.read_text() if path.is_file() else ""
-        marks = f"// #region {name}\n", f"// #endregion {name}\n"
-        if any(text.count(mark) != 1 for mark in marks):
-            raise DoesNotRun(f"{file.relative_to(ROOT)}: {target} has no region {name}")
-        start, end = text.index(marks[0]), text.index(marks[1])
+        start, end = span_of(text, file, target, name)
         body, next_number = [], None
         for number, line in lines:
             if number != next_number:  # the other part was left out
@@ -329,48 +352,158 @@ def replace_regions(folder, file, part):
             next_number = number + 1
         after = text[:end].count("\n") + 1
         body.append(f'#line {after} "{target}"')
-        path.write_text(text[:start] + marks[0] + "\n".join(body) + "\n" + text[end:])
+        path.write_text(text[:start] + "\n".join(body) + "\n" + text[end:])
+
+
+def span_of(text, file, target, name):
+    """Where a region's lines begin and end."""
+    marks = rf"// #region {name}\n", rf"[ ]*// #endregion {name}\n"
+    found = [list(re.finditer(mark, text)) for mark in marks]
+    if any(len(matches) != 1 for matches in found):
+        raise DoesNotRun(f"{file.relative_to(ROOT)}: {target} has no region {name}")
+    return found[0][0].end(), found[1][0].start()
+
+
+def plant(kernels, file, old, new):
+    """One of a core exercise's mistakes, in a copy of the kernels."""
+    places = []
+    for target, name, _ in regions_of(file, "stub"):
+        text = (kernels / target).read_text()
+        start, end = span_of(text, file, target, name)
+        if (count := text.count(old, start, end)):
+            places += [(kernels / target, text[:start] + text[start:end].replace(old, new) + text[end:])] * count
+    if len(places) != 1:
+        raise DoesNotRun(f"{(file.parent / 'test.py').relative_to(ROOT)}: {old!r} is in its regions {len(places)} times, "
+                         "expected once")
+    places[0][0].write_text(places[0][1])
+
+
+class Mistakes:
+    """Attempts with the known mistakes of a core exercise, and what they draw."""
+
+    def __init__(self, build, exercise, test, scratch):
+        self.sentences, self.attempts, self.drawn = [], [], {}
+        for number, (old, new, sentence) in enumerate(getattr(test, "MISTAKES", ())):
+            folder = scratch / str(number)
+            folder.mkdir()
+            attempt = Attempt(build, exercise, exercise / "exercise.cl", "solution", folder, options_of(test))
+            plant(attempt.kernels, exercise / "exercise.cl", old, new)
+            self.sentences.append(" ".join(sentence.split()))
+            self.attempts.append(attempt)
+
+    def likeliest(self, attempt, expected):
+        """The sentence of the mistake that draws the attempt's last picture, or None. Few pixels may differ, and far
+        fewer than from what was expected: a mistake that this scene doesn't show explains nothing."""
+        picture, options, how = attempt.drawn
+        nearest = min(0.01, differing(picture, expected) / 4)
+        found = None
+        for number, sentence in enumerate(self.sentences):
+            key = number, options, how["scene"], how["size"]
+            if key not in self.drawn:
+                self.drawn[key] = self.attempts[number].render(*options, **how)
+            if (share := differing(picture, self.drawn[key])) < nearest:
+                nearest, found = share, sentence
+        return found
+
+
+def differing(picture, other, tolerance=2e-3):
+    """The share of pixels."""
+    both = np.isclose(picture, other, rtol=tolerance, atol=tolerance, equal_nan=True)
+    return 1 - both.all(axis=-1).mean()
 
 
 # --- The commands
 
+def is_core(exercise):
+    return exercise.parent.name == "core"
+
+
+def title_of(exercise):
+    return exercise.name.split("_", 1)[1]
+
+
+def file_name_of(exercise):
+    """Of the student's file, without its ending."""
+    return title_of(exercise) if is_core(exercise) else exercise.name
+
+
 def exercises(stage=None):
-    """Folders, in order; of one stage, by its number or name, or of all."""
-    found = sorted(ROOT.glob("stages/[0-9][0-9]_*/exercises/[0-9]*_*"))
-    return [folder for folder in found if stage in (None, folder.parts[-3], folder.parts[-3][:2])]
+    """Folders, a stage's core exercises first; of one stage, by its number or name, or of all."""
+    found = [folder for kind in ("core", "exercises") for folder in ROOT.glob(f"stages/[0-9][0-9]_*/{kind}/[0-9]*_*")]
+    return sorted((folder for folder in found if stage in (None, folder.parts[-3], folder.parts[-3][:2])),
+                  key=lambda folder: (folder.parts[-3], not is_core(folder), folder.name))
+
+
+def address_of(exercise):
+    """The word that stands for it after its stage's number."""
+    return title_of(exercise) if is_core(exercise) else exercise.name.split("_")[0]
+
+
+def effort_of(exercise):
+    """Minutes, and how hard it is."""
+    file = exercise / "README.md"
+    line = (file.read_text().splitlines() + [""] * 3)[2]
+    if not (effort := re.fullmatch(r"\*(\d+) minutes, (easy|moderate|hard)\*", line)):
+        raise DoesNotRun(f"{file.relative_to(ROOT)}:3: {line!r}: expected *N minutes, easy*, or moderate or hard")
+    return int(effort[1]), effort[2]
+
+
+def copy_of(exercise):
+    return ROOT / "work" / exercise.parts[-3] / f"{file_name_of(exercise)}.cl"
+
+
+def stub_of(exercise):
+    return "".join(f"{line}\n" for _, line in part_of(exercise / "exercise.cl", "stub"))
 
 
 def students_copy(exercise):
     """Begun from the stub where it is not there yet."""
-    copy = ROOT / "work" / exercise.parts[-3] / f"{exercise.name}.cl"
+    copy = copy_of(exercise)
     if not copy.exists():
-        text = "".join(f"{line}\n" for _, line in part_of(exercise / "exercise.cl", "stub"))
+        text = stub_of(exercise)
         copy.parent.mkdir(parents=True, exist_ok=True)
         copy.write_text(text)
     return copy
 
 
-def try_out(build, exercise, file, part):
-    """Raises Wrong or DoesNotRun where the exercise's test does."""
+def test_of(exercise):
     spec = importlib.util.spec_from_file_location("test", exercise / "test.py")
     test = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(test)
+    return test
+
+
+def options_of(test):
+    return tuple(getattr(test, "OPTIONS", ()))
+
+
+def try_out(build, exercise, file, part):
+    """Raises Wrong or DoesNotRun where the exercise's test does. Wrong says which mistake it looks like."""
+    test = test_of(exercise)
     with tempfile.TemporaryDirectory() as scratch:
-        test.check(Attempt(build, exercise, file, part, Path(scratch)))
+        attempt = Attempt(build, exercise, file, part, Path(scratch), options_of(test))
+        try:
+            test.check(attempt)
+        except Wrong as error:
+            folder = Path(scratch) / "mistakes"
+            folder.mkdir()
+            if len(error.args) > 1 and (sentence := Mistakes(build, exercise, test, folder).likeliest(attempt, error.args[1])):
+                raise Wrong(f"{error}\n{sentence}", *error.args[1:]) from None
+            raise
 
 
 def picture_of(build, exercise, file, part):
     """The stage's default scene, as the attempt draws it."""
     with tempfile.TemporaryDirectory() as scratch:
-        attempt = Attempt(build, exercise, file, part, Path(scratch))
-        path = Path("out/exercises") / f"{exercise.parent.parent.name}_{exercise.name}.png"
+        attempt = Attempt(build, exercise, file, part, Path(scratch), options_of(test_of(exercise)))
+        path = Path("out/exercises") / f"{exercise.parts[-3]}_{file_name_of(exercise)}.png"
         path.parent.mkdir(parents=True, exist_ok=True)
         attempt.draw(path, size=(640, 384))
     return path
 
 
 def name_of(exercise):
-    return f"{exercise.parts[-3][:2]} {exercise.name}"
+    return f"{exercise.parts[-3][:2]} {file_name_of(exercise)}"
 
 
 def show(build, exercise, file, part):
@@ -386,24 +519,129 @@ def show(build, exercise, file, part):
         print(f"Not yet. The task and its hints: {(exercise / 'README.md').relative_to(ROOT)}; what to change: "
               f"{file.relative_to(ROOT)}")
         return 1
+    if file == copy_of(exercise):
+        note_passed(exercise)
     print("Done: the test passes.")
     return 0
 
 
+# --- What the student has done: work/passed.json, by the exercise's name the date, and a hash of the file that passed
+
+def passed():
+    file = ROOT / "work" / "passed.json"
+    return json.loads(file.read_text()) if file.exists() else {}
+
+
+def hash_of(file):
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def note_passed(exercise):
+    today = datetime.date.today().isoformat()
+    all_passed = passed() | {name_of(exercise): {"date": today, "sha256": hash_of(copy_of(exercise))}}
+    (ROOT / "work" / "passed.json").write_text(json.dumps(all_passed, indent=1) + "\n")
+
+
+def state_of(exercise, all_passed):
+    copy = copy_of(exercise)
+    if not copy.exists():
+        return ""
+    if not (note := all_passed.get(name_of(exercise))):
+        return "begun"
+    return f"done on {note['date']}" if note["sha256"] == hash_of(copy) else f"changed since it passed on {note['date']}"
+
+
+def in_order(chosen):
+    """A stage's core exercises as the chapter has them, then the others, short ones first."""
+    return sorted(chosen, key=lambda e: (e.parts[-3], (0, e.name) if is_core(e) else (1, effort_of(e)[0], e.name)))
+
+
+def describe(exercise, last):
+    minutes, difficulty = effort_of(exercise)
+    print(f"{name_of(exercise):24} {minutes:3} min  {difficulty:8}  {last}".rstrip())
+
+
+def list_all():
+    for exercise in in_order(exercises()):
+        title = (exercise / "README.md").read_text().splitlines()[0].lstrip("# ")
+        describe(exercise, re.sub(r"^(\d+\.|\w+:) ", "", title))
+    return 0
+
+
+def status():
+    all_passed = passed()
+    chosen = in_order(exercises())
+    states = [state_of(exercise, all_passed) for exercise in chosen]
+    for exercise, state in zip(chosen, states):
+        describe(exercise, state)
+    done = [effort_of(exercise)[0] for exercise, state in zip(chosen, states) if state.startswith("done")]
+    print(f"{len(done)} of {len(chosen)} done: {sum(done)} of {sum(effort_of(e)[0] for e in chosen)} minutes")
+    return 0
+
+
+def reset(exercise, sure):
+    """The student's file is the stub again. Asks before it throws work away."""
+    copy = copy_of(exercise)
+    where = copy.relative_to(ROOT)
+    if not copy.exists() or copy.read_text() == stub_of(exercise):
+        print(f"{where}: nothing to reset")
+        return 0
+    if not sure:
+        if not sys.stdin.isatty():
+            print(f"stagelight: exercise reset: {where} has work of yours: copy it elsewhere, then give --yes",
+                  file=sys.stderr)
+            return 2
+        if input(f"{where} has work of yours. Throw it away? [y/N] ").strip().lower() not in ("y", "yes"):
+            print("kept")
+            return 0
+    copy.unlink()
+    students_copy(exercise)
+    print(f"{where} is the stub again")
+    return 0
+
+
+# --- Whether the exercises themselves are right
+
 def prove_one(build, exercise):
     """What is wrong with the exercise itself, if anything is; else what its stub fails by."""
+    try:
+        effort_of(exercise)
+    except DoesNotRun as error:
+        return str(error), None
     try:
         try_out(build, exercise, exercise / "exercise.cl", "stub")
         return "the stub passes", None
     except DoesNotRun as error:
         return f"the stub does not run: {error}", None
     except Wrong as error:
-        failed_by = str(error)
+        failed_by = str(error).splitlines()[0]
     try:
         try_out(build, exercise, exercise / "exercise.cl", "solution")
+        if problem := is_core(exercise) and prove_mistakes(build, exercise):
+            return problem, None
     except (Wrong, DoesNotRun) as error:
         return f"the solution fails: {error}", None
     return None, failed_by
+
+
+def prove_mistakes(build, exercise):
+    """Each of a core exercise's mistakes fails the test, and gets its own sentence. None, or what is wrong."""
+    test = test_of(exercise)
+    if len(test.MISTAKES) < MISTAKES:
+        return f"{len(test.MISTAKES)} mistakes: expected {MISTAKES} or more"
+    with tempfile.TemporaryDirectory() as scratch:
+        mistakes = Mistakes(build, exercise, test, Path(scratch))
+        for attempt, sentence in zip(mistakes.attempts, mistakes.sentences):
+            try:
+                test.check(attempt)
+                return f"the test passes the mistake {sentence!r}"
+            except DoesNotRun as error:
+                return f"the mistake {sentence!r} does not run: {error}"
+            except Wrong as error:
+                told = mistakes.likeliest(attempt, error.args[1]) if len(error.args) > 1 else None
+                if told != sentence:
+                    return f"the mistake {sentence!r} is taken for {told!r}: {error}"
+    return None
 
 
 def prove(build, stage):
@@ -418,32 +656,34 @@ def prove(build, stage):
     return 1 if failed or not chosen else 0
 
 
-def list_all():
-    for exercise in exercises():
-        title = (exercise / "README.md").read_text().splitlines()[0].lstrip("# ")
-        print(f"{name_of(exercise):28} {title}")
-    return 0
+def run(build, *arguments):
+    if arguments == ("list",):
+        return list_all()
+    if arguments == ("status",):
+        return status()
+    if arguments[0] == "prove" and len(arguments) <= 2:
+        return prove(build, *arguments[1:] or [None])
+    resets = arguments[0] == "reset"
+    stage, k, *options = (*arguments[resets:], "", "")[:max(2, len(arguments) - resets)]
+    chosen = [e for e in exercises(stage) if k in (address_of(e), title_of(e), e.name)]
+    expected = "--yes" if resets else "--solution"
+    if len(chosen) != 1 or options not in ([], [expected]):
+        print(f"stagelight: exercise {' '.join(arguments)}: expected a stage, a title or number of the list that "
+              f"./stagelight exercise shows, and perhaps {expected}", file=sys.stderr)
+        return 2
+    if resets:
+        return reset(chosen[0], bool(options))
+    if options:
+        return show(build, chosen[0], chosen[0] / "exercise.cl", "solution")
+    return show(build, chosen[0], students_copy(chosen[0]), "stub")
 
 
 def main(build, *arguments):
-    build = Path(build)
-    if arguments == ("list",):
-        return list_all()
-    if arguments[0] == "prove" and len(arguments) <= 2:
-        return prove(build, *arguments[1:] or [None])
-    chosen = [e for e in exercises(arguments[0]) if e.name.split("_")[0] == (arguments + ("",))[1]]
-    if len(chosen) != 1 or arguments[2:] not in ((), ("--solution",)):
-        print(f"stagelight: exercise {' '.join(arguments)}: expected a stage and a number of the list that "
-              "./stagelight exercise shows, and perhaps --solution", file=sys.stderr)
-        return 2
-    if arguments[2:]:
-        return show(build, chosen[0], chosen[0] / "exercise.cl", "solution")
     try:
-        file = students_copy(chosen[0])
+        return run(Path(build), *arguments)
     except DoesNotRun as error:
         print(f"stagelight: {error}", file=sys.stderr)
         return 1
-    return show(build, chosen[0], file, "stub")
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ chmod +x "$scratch/build/stages/01_first"
 exercise_of() {
     local folder=$stage/exercises/$1
     mkdir "$folder"
-    echo "# $1" >"$folder/README.md"
+    printf '# %s\n\n*10 minutes, easy*\n' "$1" >"$folder/README.md"
     printf 'def check(attempt):\n    attempt.render()\n' >"$folder/test.py"
     printf '%s\n' '// stages/01_first/kernel.cl' '// #region one' "${@:2}" '// #endregion one' >"$folder/exercise.cl"
 }
@@ -83,6 +83,96 @@ test_marks_that_are_wrong() {
     expect_equal "all of the message" \
         "stagelight: stages/01_first/exercises/1_end/exercise.cl:3: #end: expected #stub before it" "$output"
     [[ ! -e $checkout/work ]] || fail "a student's file was made of it"
+}
+
+# core_of MISTAKES...: a core exercise whose kernel says "value 1", where each mistake is a line of Python. The program
+# draws a tenth of the value, everywhere.
+core_of() {
+    local folder=$stage/core/1_value
+    mkdir -p "$folder"
+    printf '### value: what is drawn\n\n*20 minutes, moderate*\n' >"$folder/README.md"
+    printf '// stages/01_first/kernel.cl\n// #region one\nvalue 7\n// #endregion one\n' >"$folder/exercise.cl"
+    printf '// #region one\nvalue 1\n// #endregion one\n' >"$stage/kernel.cl"
+    {
+        printf '%s\n' 'import numpy as np' 'MISTAKES = [' "$@" ']'
+        printf '%s\n' 'def check(attempt):' \
+            '    attempt.expect_same(attempt.render(size=(4, 4)), np.full((4, 4, 3), 0.1), "the value")'
+    } >"$folder/test.py"
+    cat >"$scratch/build/stages/01_first" <<'END'
+#!/usr/bin/python3
+import re, sys, numpy as np, OpenImageIO as oiio
+value = int(re.search(r"value (\d)", open(sys.argv[-1] + "/stages/01_first/kernel.cl").read())[1]) / 10
+image = oiio.ImageBuf(oiio.ImageSpec(4, 4, 3, oiio.FLOAT))
+image.set_pixels(oiio.ROI(), np.full((4, 4, 3), value, np.float32))
+image.write(sys.argv[sys.argv.index("--out") + 1])
+END
+}
+
+mistakes=('("1", "2", "a two"),' '("1", "3", "a three"),' '("1", "4", "a four"),' '("1", "5", "a five"),'
+    '("1", "6", "a six"),')
+
+test_a_core_exercise_is_proven() {
+    core_of "${mistakes[@]}"
+    exercise prove
+    expect_text "its stub" "01 value: solved; without, the value: 16 of 16 pixels differ" "$output"
+    expect_equal "the last line" "exercises: 1 passed, 0 failed" "${output##*$'\n'}"
+    local faults=('("1", "1", "no mistake"),' '("1", "2", "also a two"),' '("8", "9", "of another text"),' '')
+    local told=("the test passes the mistake 'no mistake'" "'also a two' is taken for 'a two'"
+        "stages/01_first/core/1_value/test.py: '8' is in its regions 0 times, expected once"
+        "4 mistakes: expected 5 or more") i
+    for i in "${!faults[@]}"; do
+        core_of "${mistakes[@]:0:4}" "${faults[i]}"
+        exercise prove
+        expect_equal "exit code" 1 $code
+        expect_text "what is wrong with it" "01 value: FAILED: " "$output"
+        expect_text "what is wrong with it" "${told[i]}" "$output"
+    done
+}
+
+test_a_core_exercise_is_done() {
+    local file=work/01_first/value.cl
+    core_of "${mistakes[@]}"
+    exercise_of 1_long given
+    sed -i 's/10 minutes, easy/90 minutes, hard/' "$stage/exercises/1_long/README.md"
+    exercise_of 2_short given
+    exercise list
+    expect_equal "the list" "$(printf '%s\n' '01 value                  20 min  moderate  what is drawn' \
+        '01 2_short                10 min  easy      2_short' '01 1_long                 90 min  hard      1_long')" \
+        "$output"
+    exercise status
+    expect_equal "nothing is done" "0 of 3 done: 0 of 120 minutes" "${output##*$'\n'}"
+    exercise 01 value
+    expect_text "what is to be changed" "what to change: $file" "$output"
+    [[ $output != *" a "* ]] || fail "the stub is taken for a mistake:" "$output"
+    exercise reset 01 value
+    expect_equal "a stub" "$file: nothing to reset" "$output"
+    sed -i 's/7/4/' "$checkout/$file"
+    exercise 01 value
+    expect_text "the mistake's sentence" $'\na four\nNot yet.' "$output"
+    exercise status
+    expect_text "a file" "01 value                  20 min  moderate  begun"$'\n' "$output"
+    sed -i 's/4/1/' "$checkout/$file"
+    exercise 01 value
+    expect_equal "exit code" 0 $code
+    exercise status
+    expect_text "done" "01 value                  20 min  moderate  done on $(date +%F)"$'\n' "$output"
+    expect_equal "the sum" "1 of 3 done: 20 of 120 minutes" "${output##*$'\n'}"
+    echo >>"$checkout/$file"
+    exercise status
+    expect_text "another file" "changed since it passed on $(date +%F)" "$output"
+    exercise reset 01 value
+    expect_equal "exit code" 2 $code
+    expect_equal "work is not thrown away" \
+        "stagelight: exercise reset: $file has work of yours: copy it elsewhere, then give --yes" "$output"
+    expect_text "work" "value 1" "$(<"$checkout/$file")"
+    exercise reset 01 value --yes
+    expect_text "the stub" "value 7" "$(<"$checkout/$file")"
+    exercise 01 value --solution
+    expect_equal "the course's own kernels" "Done: the test passes." "${output##*$'\n'}"
+    exercise 01 valve
+    expect_equal "exit code" 2 $code
+    exercise reset 01 value --solution
+    expect_equal "exit code" 2 $code
 }
 
 "test_$name"

@@ -36,7 +36,7 @@ test_clang_format() {
         exit 77
     fi
     # Not the parts of files that exercises and pictures put in place of others.
-    list_files '*.h' '*.cpp' '*.cl' | grep -vE '/(stages/[^/]+/exercises|docs/pictures)/' |
+    list_files '*.h' '*.cpp' '*.cl' | grep -vE '/(stages/[^/]+/(exercises|core)|docs/pictures)/' |
         xargs -d '\n' clang-format --dry-run -Werror
 }
 
