@@ -16,16 +16,20 @@ static float3 direct_light(const Scene *scene, const Surface *surface, RayCounts
     for (int i = 0; i < scene->light_count; ++i) {
         const Light light = scene->lights[i];
         const Illumination illumination = light_at(light, surface->position);
+        // #region lambert
         float cosine = dot(surface->normal, illumination.direction);
+        // #endregion lambert
         if (HAS_SMOOTH_MESH) {
             cosine *= shadowing(surface, illumination.direction, cosine);
         }
+        // #region add_light
         if (cosine > 0.0f) {
             ++counts->shadow;
             if (!in_shadow(scene, light, offset_ray_origin(surface, illumination.direction))) {
                 sum += cosine * illumination.irradiance;
             }
         }
+        // #endregion add_light
     }
     return sum;
 }

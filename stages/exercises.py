@@ -181,6 +181,81 @@ def first_hits(scene, size=SIZE):
     return normals_and_distances(scene, distance, normal)
 
 
+def light_at(scene, position, normal):
+    """What lights bring to points (n, 3): the sum over those that are seen, of Lambert's cosine times irradiance."""
+    total = np.zeros(position.shape)
+    for light in tomllib.loads(scene_text(scene)).get("lights", []):
+        irradiance = light.get("intensity", 1) * np.array(light.get("color", [1, 1, 1]), float)
+        way = np.array(light["position"], float) - position if light["type"] == "point" else \
+            np.broadcast_to(-np.array(light["direction"], float), position.shape)
+        far = np.linalg.norm(way, axis=-1) if light["type"] == "point" else np.full(len(position), np.inf)
+        to_light = unit(way)
+        if light["type"] == "point":
+            window = np.maximum(0, 1 - (far / light.get("range", np.inf)) ** 4) ** 2
+            irradiance = irradiance * (window / far ** 2)[..., None]
+        cosine = dot(normal, to_light)
+        seen = (cosine > 0) & ~(closest(scene, position, to_light)[0] < far)
+        total += np.where(seen, cosine, 0)[..., None] * irradiance
+    return total
+
+
+def light_along(scene, origin, direction, depth=0, absorption=(0, 0, 0)):
+    """What rays (n, 3) bring back in stages 02 to 04, in a scene of spheres and planes: docs/shading.md. The eye is not in
+    glass, and no glass is in other glass."""
+    described = tomllib.loads(scene_text(scene))
+    distance, normal, index = closest(scene, origin, direction)
+    absorption = np.array(absorption, float)
+    with np.errstate(invalid="ignore"):
+        left = np.where(absorption > 0, np.exp(-absorption * distance[..., None]), 1)
+    color = left * described.get("background", {}).get("color", [0, 0, 0])
+    ends = depth >= described.get("trace", {}).get("max_depth", 8)
+
+    def further(position, way, absorption):
+        return np.zeros(way.shape) if ends else light_along(scene, position, way, depth + 1, absorption)
+
+    for number, shape in enumerate(described.get("spheres", []) + described.get("planes", [])):
+        material = described.get("materials", {}).get(shape.get("material"), {"type": "diffuse"})
+        outward = origin + np.where(index == number, distance, 0)[..., None] * direction - shape["center"] \
+            if "center" in shape else np.array(shape["normal"], float)
+        for inside in (False, True):
+            met = (index == number) & ((dot(outward, direction) > 0) == inside)
+            if not met.any():
+                continue
+            position, way, n = (origin + distance[..., None] * direction)[met], direction[met], normal[met]
+            reflected = way - 2 * dot(way, n)[..., None] * n
+            if material["type"] == "dielectric":
+                beyond = (0, 0, 0) if inside else material.get("absorption", (0, 0, 0))
+                share, refracted = split(way, n, material.get("ior", 1.5), inside)
+                sent = share * further(position, reflected, absorption)
+                through = share[..., 0] < 1
+                sent[through] += (1 - share[through]) * further(position[through], refracted[through], beyond)
+            else:
+                share = {"mirror": 1, "glossy": material.get("specularity", 0.5)}.get(material["type"], 0)
+                sent = (1 - share) * light_at(scene, position, n) if share < 1 else 0
+                sent = sent + (share * further(position, reflected, absorption) if share else 0)
+            color[met] = left[met] * material.get("color", [1, 1, 1]) * sent
+    return color
+
+
+def split(direction, normal, ior, inside):
+    """At a surface of glass: the share that is reflected, (n, 1), by Schlick, and the directions of the rest."""
+    ratio = ior if inside else 1 / ior
+    cosine = -dot(direction, normal)
+    squared = 1 - ratio * ratio * (1 - cosine * cosine)
+    beyond = np.sqrt(np.maximum(squared, 0))
+    refracted = unit(ratio * direction + (ratio * cosine - beyond)[..., None] * normal)
+    head_on = ((1 - ior) / (1 + ior)) ** 2
+    share = head_on + (1 - head_on) * (1 - (beyond if ratio > 1 else cosine)) ** 5
+    return np.where(squared < 0, 1, share)[..., None], refracted
+
+
+def traced(scene, size=SIZE):
+    """The picture of a scene of spheres and planes, in stages 02 to 04."""
+    eye, direction = rays(scene, size)
+    flat = direction.reshape(-1, 3)
+    return light_along(scene, np.broadcast_to(eye, flat.shape), flat).reshape(direction.shape)
+
+
 def reflectance(scene, index):
     """The materials' colours of what closest() found; black where there is nothing."""
     described = tomllib.loads(scene_text(scene))
