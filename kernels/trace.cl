@@ -15,16 +15,20 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TE
         stack.rays[0].absorption = XYZ(medium_at(scene, scene->eye_media).absorption);
     }
     float3 color = (float3)(0.0f);
+    // #region next_ray
     while (stack.count > 0) {
         const PendingRay incoming = pop_ray(&stack);
         const Hit hit = closest_hit(scene, incoming.ray);
+        // #endregion next_ray
         if (hit.shape == SHAPE_NONE) {
             // #region miss
             float3 light = XYZ(scene->background);
             if (HAS_MEDIA) {
                 light *= transmittance(incoming.absorption, MAXFLOAT);  // of water without a shore, nothing
             }
+            // #region add_background
             color += incoming.weight * light;
+            // #endregion add_background
             // #endregion miss
         } else {
             // #region hit_surface
@@ -36,7 +40,9 @@ static float3 trace(const Scene *scene, const Ray primary, RayCounts *counts, TE
                 if (HAS_SMOOTH_MESH && hit.shape == SHAPE_TRIANGLE) {
                     surface.position += lift_off_facet(scene, &surface, hit);
                 }
+                // #region add_direct
                 color += weight * direct_light(scene, &surface, counts);
+                // #endregion add_direct
                 // #endregion direct
             }
         }

@@ -23,6 +23,7 @@ must be is worked out in test.py with NumPy, in double, or measured on the pictu
 """
 import concurrent.futures
 import datetime
+import functools
 import hashlib
 import importlib.util
 import json
@@ -175,14 +176,16 @@ def normals_and_distances(scene, distance, normal):
     return np.where(seen[..., None], (0.5 + 0.5 * normal) * (1 - darkening)[..., None], background)
 
 
+@functools.lru_cache  # prove asks again for each mistake
 def first_hits(scene, size=SIZE):
     """What stage 01 draws."""
     distance, normal, _ = closest(scene, *rays(scene, size))
     return normals_and_distances(scene, distance, normal)
 
 
-def light_at(scene, position, normal):
-    """What lights bring to points (n, 3): the sum over those that are seen, of Lambert's cosine times irradiance."""
+def light_at(scene, position, normal, corners=()):
+    """What lights bring to points (n, 3): the sum over those that are seen, of Lambert's cosine times irradiance. The
+    scene's shapes are in the way, and the triangles (m, 3, 3)."""
     total = np.zeros(position.shape)
     for light in tomllib.loads(scene_text(scene)).get("lights", []):
         irradiance = light.get("intensity", 1) * np.array(light.get("color", [1, 1, 1]), float)
@@ -194,7 +197,8 @@ def light_at(scene, position, normal):
             window = np.maximum(0, 1 - (far / light.get("range", np.inf)) ** 4) ** 2
             irradiance = irradiance * (window / far ** 2)[..., None]
         cosine = dot(normal, to_light)
-        seen = (cosine > 0) & ~(closest(scene, position, to_light)[0] < far)
+        blocker = np.minimum(closest(scene, position, to_light)[0], hit_triangles(position, to_light, corners)[0])
+        seen = (cosine > 0) & ~(blocker < far)
         total += np.where(seen, cosine, 0)[..., None] * irradiance
     return total
 
@@ -249,6 +253,29 @@ def split(direction, normal, ior, inside):
     return np.where(squared < 0, 1, share)[..., None], refracted
 
 
+@functools.lru_cache
+def with_mesh(scene, mesh, size=SIZE):
+    """The picture of a scene in which all is white and diffuse, with the mesh of an OBJ file's text, in stage 05."""
+    eye, direction = rays(scene, size)
+    corners, normals = triangles_of(mesh)
+    distance, normal, _ = closest(scene, eye, direction)
+    nearer, index, weights = hit_triangles(eye, direction, corners)
+    a, b, c = np.moveaxis(corners[index], -2, 0)
+    blended = np.sum(weights[..., None] * normals[index], axis=-2)
+    facet = np.cross(b - a, c - a)
+    facet *= np.sign(dot(facet, blended))[..., None]
+    blended *= -np.sign(dot(facet, direction))[..., None]
+    is_mesh = nearer < distance
+    seen = np.isfinite(np.minimum(nearer, distance))
+    normal = np.where(is_mesh[..., None], blended, normal)[seen]
+    position = eye + np.minimum(nearer, distance)[seen][..., None] * direction[seen]
+    color = np.broadcast_to(np.array(tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0]), float),
+                            direction.shape).copy()
+    color[seen] = light_at(scene, position, unit(normal), corners)
+    return color
+
+
+@functools.lru_cache  # prove asks again for each mistake
 def traced(scene, size=SIZE):
     """The picture of a scene of spheres and planes, in stages 02 to 04."""
     eye, direction = rays(scene, size)
@@ -475,6 +502,9 @@ class Mistakes:
         for number, sentence in enumerate(self.sentences):
             key = number, options, how["scene"], how["size"]
             if key not in self.drawn:
+                for mesh in attempt.scratch.glob("*.obj"):  # of the test's own making
+                    if attempt is not self.attempts[number]:
+                        shutil.copy(mesh, self.attempts[number].scratch)
                 self.drawn[key] = self.attempts[number].render(*options, **how)
             if (share := differing(picture, self.drawn[key])) < nearest:
                 nearest, found = share, sentence
