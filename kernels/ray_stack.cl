@@ -73,16 +73,20 @@ static void push_ray(RayStack *stack, const PendingRay ray, uint *traced, RayCou
     if (CUTOFF_ONE_IN > 0 && is_cut_off(&ray, counts)) {
         return;
     }
+    // #region push
     if (ray.depth > MAX_DEPTH) {
         ++counts->dropped;
     } else {
         ++*traced;
         copy_pending(&stack->rays[place_of(stack, stack->count++)], &ray);
     }
+    // #endregion push
 }
 // #endregion push_ray
 
+// #region pop_ray
 static PendingRay pop_ray(RayStack *stack) {
     return stack->rays[place_of(stack, --stack->count)];
 }
+// #endregion pop_ray
 // #endregion ray_stack
