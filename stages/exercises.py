@@ -310,21 +310,23 @@ def scene_text(scene):
 # --- An attempt
 
 class Attempt:
-    """The program of the exercise's stage, with the regions of a part of the file in its kernels. options: those that
-    each of its pictures is drawn with."""
+    """The program of the exercise's stage, with the regions of a part of the file in its kernels. Of the exercise's
+    test, OPTIONS are given with each picture, and prepare(kernels) changes what the picture shows."""
 
-    def __init__(self, build, exercise, file, part, scratch, options=()):
+    def __init__(self, build, exercise, file, part, scratch, test=None):
         self.program = build / "stages" / exercise.parent.parent.name
         self.exercise = exercise
         self.scratch = scratch
         self.kernels = scratch / "attempt"
         # Kernels built by an earlier run would hide no mistake, but these folders are not for keeps.
         self.environment = os.environ | {"POCL_CACHE_DIR": str(build / "pocl_cache_exercises")}
-        self.options = options
+        self.options = tuple(getattr(test, "OPTIONS", ()))
         self.drawn = None  # the last picture, and how it was drawn
         copy_kernels(self.kernels)
         if not (is_core(exercise) and part == "solution"):  # which is the kernels' own
             replace_regions(self.kernels, file, part)
+        if hasattr(test, "prepare"):
+            test.prepare(self.kernels)
         # One ray in a work-item, as on a GPU, is drawn without these.
         self.has_packets = any(target.startswith("kernels/packets/") for target, *_ in regions_of(file, part))
 
@@ -488,7 +490,7 @@ class Mistakes:
         for number, (old, new, sentence) in enumerate(getattr(test, "MISTAKES", ())):
             folder = scratch / str(number)
             folder.mkdir()
-            attempt = Attempt(build, exercise, exercise / "exercise.cl", "solution", folder, options_of(test))
+            attempt = Attempt(build, exercise, exercise / "exercise.cl", "solution", folder, test)
             plant(attempt.kernels, exercise / "exercise.cl", old, new)
             self.sentences.append(" ".join(sentence.split()))
             self.attempts.append(attempt)
@@ -578,15 +580,11 @@ def test_of(exercise):
     return test
 
 
-def options_of(test):
-    return tuple(getattr(test, "OPTIONS", ()))
-
-
 def try_out(build, exercise, file, part):
     """Raises Wrong or DoesNotRun where the exercise's test does. Wrong says which mistake it looks like."""
     test = test_of(exercise)
     with tempfile.TemporaryDirectory() as scratch:
-        attempt = Attempt(build, exercise, file, part, Path(scratch), options_of(test))
+        attempt = Attempt(build, exercise, file, part, Path(scratch), test)
         try:
             test.check(attempt)
         except Wrong as error:
@@ -600,7 +598,7 @@ def try_out(build, exercise, file, part):
 def picture_of(build, exercise, file, part):
     """The stage's default scene, as the attempt draws it."""
     with tempfile.TemporaryDirectory() as scratch:
-        attempt = Attempt(build, exercise, file, part, Path(scratch), options_of(test_of(exercise)))
+        attempt = Attempt(build, exercise, file, part, Path(scratch), test_of(exercise))
         path = Path("out/exercises") / f"{exercise.parts[-3]}_{file_name_of(exercise)}.png"
         path.parent.mkdir(parents=True, exist_ok=True)
         attempt.draw(path, size=(640, 384))
