@@ -72,6 +72,7 @@ static bool walk_tree(const Scene *scene, const Ray ray, const bool any, Hit *cl
         // #endregion look_into
         float t[4];
         vstore4(enter_boxes(node, ray, closest->distance), 0, t);
+        // #region children
         for (int child = 0; child < 4; ++child) {
             if (t[child] >= 0.0f && node->count[child] != 0) {
                 try_leaf(scene, ray, node->first[child], node->count[child], closest);
@@ -87,6 +88,7 @@ static bool walk_tree(const Scene *scene, const Ray ray, const bool any, Hit *cl
                 // #endregion push
             }
         }
+        // #endregion children
     }
     return closest->shape != SHAPE_NONE;
 }
