@@ -189,7 +189,7 @@ def light_at(scene, position, normal, corners=()):
     total = np.zeros(position.shape)
     for light in tomllib.loads(scene_text(scene)).get("lights", []):
         irradiance = light.get("intensity", 1) * np.array(light.get("color", [1, 1, 1]), float)
-        way = np.array(light["position"], float) - position if light["type"] == "point" else \
+        way = light["position"] - position if light["type"] == "point" else \
             np.broadcast_to(-np.array(light["direction"], float), position.shape)
         far = np.linalg.norm(way, axis=-1) if light["type"] == "point" else np.full(len(position), np.inf)
         to_light = unit(way)
@@ -204,8 +204,8 @@ def light_at(scene, position, normal, corners=()):
 
 
 def light_along(scene, origin, direction, depth=0, absorption=(0, 0, 0)):
-    """What rays (n, 3) bring back in stages 02 to 04, in a scene of spheres and planes: docs/shading.md. The eye is not in
-    glass, and no glass is in other glass."""
+    """What rays (n, 3) bring back in stages 02 to 04, in a scene of spheres and planes: docs/shading.md. The eye is not
+    in glass, and no glass is in other glass."""
     described = tomllib.loads(scene_text(scene))
     distance, normal, index = closest(scene, origin, direction)
     absorption = np.array(absorption, float)
@@ -269,8 +269,8 @@ def with_mesh(scene, mesh, size=SIZE):
     seen = np.isfinite(np.minimum(nearer, distance))
     normal = np.where(is_mesh[..., None], blended, normal)[seen]
     position = eye + np.minimum(nearer, distance)[seen][..., None] * direction[seen]
-    color = np.broadcast_to(np.array(tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0]), float),
-                            direction.shape).copy()
+    color = np.empty(direction.shape)
+    color[:] = tomllib.loads(scene_text(scene)).get("background", {}).get("color", [0, 0, 0])
     color[seen] = light_at(scene, position, unit(normal), corners)
     return color
 
@@ -477,8 +477,8 @@ def plant(kernels, file, old, new):
         if (count := text.count(old, start, end)):
             places += [(kernels / target, text[:start] + text[start:end].replace(old, new) + text[end:])] * count
     if len(places) != 1:
-        raise DoesNotRun(f"{(file.parent / 'test.py').relative_to(ROOT)}: {old!r} is in its regions {len(places)} times, "
-                         "expected once")
+        raise DoesNotRun(f"{(file.parent / 'test.py').relative_to(ROOT)}: {old!r} is in its regions {len(places)} "
+                         "times, expected once")
     places[0][0].write_text(places[0][1])
 
 
@@ -495,9 +495,11 @@ class Mistakes:
             self.sentences.append(" ".join(sentence.split()))
             self.attempts.append(attempt)
 
-    def likeliest(self, attempt, expected):
+    def likeliest(self, attempt, expected=None):
         """The sentence of the mistake that draws the attempt's last picture, or None. Few pixels may differ, and far
         fewer than from what was expected: a mistake that this scene doesn't show explains nothing."""
+        if expected is None:
+            return None
         picture, options, how = attempt.drawn
         nearest = min(0.01, differing(picture, expected) / 4)
         found = None
@@ -590,9 +592,8 @@ def try_out(build, exercise, file, part):
         except Wrong as error:
             folder = Path(scratch) / "mistakes"
             folder.mkdir()
-            if len(error.args) > 1 and (sentence := Mistakes(build, exercise, test, folder).likeliest(attempt, error.args[1])):
-                raise Wrong(f"{error}\n{sentence}", *error.args[1:]) from None
-            raise
+            sentence = Mistakes(build, exercise, test, folder).likeliest(attempt, *error.args[1:])
+            raise Wrong("\n".join(filter(None, (str(error), sentence))), *error.args[1:]) from None
 
 
 def picture_of(build, exercise, file, part):
@@ -651,7 +652,7 @@ def state_of(exercise, all_passed):
         return ""
     if not (note := all_passed.get(name_of(exercise))):
         return "begun"
-    return f"done on {note['date']}" if note["sha256"] == hash_of(copy) else f"changed since it passed on {note['date']}"
+    return f"{'done' if note['sha256'] == hash_of(copy) else 'changed since it passed'} on {note['date']}"
 
 
 def in_order(chosen):
@@ -741,7 +742,7 @@ def prove_mistakes(build, exercise):
             except DoesNotRun as error:
                 return f"the mistake {sentence!r} does not run: {error}"
             except Wrong as error:
-                told = mistakes.likeliest(attempt, error.args[1]) if len(error.args) > 1 else None
+                told = mistakes.likeliest(attempt, *error.args[1:])
                 if told != sentence:
                     return f"the mistake {sentence!r} is taken for {told!r}: {error}"
     return None

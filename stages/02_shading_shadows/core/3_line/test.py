@@ -52,7 +52,8 @@ ENDS = "nearest > 0.0f && nearest < 1.0f"
 ONE_END = "return origin_inside != destination_inside;"
 MISTAKES = [
     (ENDS, "nearest > 0.0f",
-     "What stands behind the lamp casts a shadow: the line ends there, so the nearest point has to lie before its end."),
+     "What stands behind the lamp casts a shadow: the line ends there, so the nearest point has to lie before its "
+     "end."),
     (ENDS, "nearest < 1.0f",
      "What lies behind the surface casts a shadow: the nearest point has to lie after the line's origin."),
     ("dot(perpendicular, perpendicular) < radius_squared", "dot(perpendicular, perpendicular) < radius",

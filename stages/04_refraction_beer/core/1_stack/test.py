@@ -55,7 +55,8 @@ MISTAKES = [
     ("stack->count++", "stack->count",
      "Nothing that is pushed is ever found: add 1 to the count."),
     (PUSH, "copy_pending(&stack->rays[0], &ray);\n        stack->count = 1;",
-     "A new ray takes the place of one that waits, or all is thrown away where one is taken: the count says how many wait."),
+     "A new ray takes the place of one that waits, or all is thrown away where one is taken: the count says how "
+     "many wait."),
     (PUSH, "if (stack->count == 0) { copy_pending(&stack->rays[stack->count++], &ray); }",
      "A second ray is refused where one waits already: there are MAX_DEPTH + 1 places."),
     ("ray.depth > MAX_DEPTH", "ray.depth > 2",

@@ -80,7 +80,8 @@ MISTAKES = [
     ("determinant == 0.0f", "fabs(determinant) < 0.1f",
      "The small triangle is missing: compare the determinant with 0, and with no other threshold."),
     ("(float2)(b, c)", "(float2)(c, b)",
-     "The light on triangles is wrong, their outlines are right: the weights of the second and third corner are swapped."),
+     "The light on triangles is wrong, their outlines are right: the weights of the second and third corner are "
+     "swapped."),
     ("dot(triangle.c, q) * inverse", "dot(triangle.c, q)",
      "The distance is wrong: divide it by the determinant, too."),
 ]
