@@ -62,13 +62,13 @@ TEST_F(CompanionFile, IsInAnyLetterCase) {
 
 TEST_F(CompanionFile, OfAnotherMachineHasAsMuchOfItsPathAsThereIs) {
     const fs::path file = write("model/a.png");
-    for (const char *name : {R"(C:\work\red\a.png)", "/home/someone/red/a.png", "../red/a.png",
-                             "file:///C:/work/red/a.png"}) {
+    for (const char *name : {R"(C:\mine\red\a.png)", "/elsewhere/red/a.png", "../red/a.png",
+                             "file:///C:/mine/red/a.png"}) {
         expect(name, file);
     }
     write("model/blue/a.png");
     const fs::path red = write("model/red/a.png");
-    for (const char *name : {R"(C:\work\red\a.png)", "/home/someone/red/a.png", "../red/a.png"}) {
+    for (const char *name : {R"(C:\mine\red\a.png)", "/elsewhere/red/a.png", "../red/a.png"}) {
         expect(name, red);
     }
     const fs::path elsewhere = write("elsewhere/red/a.png");
@@ -79,8 +79,8 @@ TEST_F(CompanionFile, IsNextToTheFolderOnlyInAFolderOfItsName) {
     fs::create_directories(folder.path() / "model");
     write("a.png");
     write("blue/a.png");
-    EXPECT_FALSE(find(R"(C:\work\red\a.png)"));
-    expect(R"(C:\work\red\a.png)", write("Red/a.png"));
+    EXPECT_FALSE(find(R"(C:\mine\red\a.png)"));
+    expect(R"(C:\mine\red\a.png)", write("Red/a.png"));
 }
 
 TEST_F(CompanionFile, IsInTheFoldersInTheirOrder) {

@@ -302,9 +302,8 @@ TEST_F(SceneFile, WrapsAndCutsOut) {
     EXPECT_EQ(scene.materials.at(0).alpha_cutoff, 0.25);
     EXPECT_EQ(scene.materials.at(1).alpha_cutoff, 0);
     ASSERT_EQ(scene.textures.size(), 3U);
-    const auto wraps = [&](std::size_t material) {
-        const Texture &texture =
-            scene.textures.at(std::size_t(scene.materials.at(material).texture));
+    const auto wraps = [&](std::size_t number) {
+        const Texture &texture = scene.textures.at(std::size_t(scene.materials.at(number).texture));
         return std::pair(texture.wrap_u, texture.wrap_v);
     };
     EXPECT_EQ(wraps(0), std::pair(Wrap::repeat, Wrap::repeat));
