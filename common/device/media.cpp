@@ -20,8 +20,13 @@ std::set<int> bodies_with_media(const Bodies &bodies, const Scene &scene, bool a
     }
     const std::vector<int> at_eye = bodies_at(scene, bodies, scene.camera.position);
     found.insert(at_eye.begin(), at_eye.end());
-    for (int body = 0; all && body < static_cast<int>(bodies.list.size()); ++body) {
-        found.insert(body);
+    for (int i = 0; i < static_cast<int>(bodies.list.size()); ++i) {
+        const Body &body = bodies.list[static_cast<std::size_t>(i)];
+        const Material &material = scene.materials[static_cast<std::size_t>(body.material)];
+        const bool has_way_out = body.plane >= 0 || !body.is_closed;
+        if (all || (has_way_out && material.absorption != glm::dvec3(0))) {
+            found.insert(i);
+        }
     }
     return found;
 }

@@ -16,8 +16,9 @@ namespace stagelight {
 class Media {
 public:
     Media() = default;
-    // With the bodies that meet others or hold the eye, or where the eye will move, with all: none
-    // in most scenes. Of more than 32 media, warns and leaves out those of the lowest precedence.
+    // With the bodies that meet others, hold the eye, or absorb light that never comes out of them,
+    // a half-space's; or where the eye will move, with all: none in most scenes. Of more than 32
+    // media, warns and leaves out those of the lowest precedence.
     Media(const Scene &scene, bool eye_moves);
 
     // Of each medium, lowest first, its index into Scene::materials.

@@ -122,6 +122,17 @@ TEST_P(Stage04Media, AreThereByPrecedence) {
     }
 }
 
+// Of what goes into water without a shore comes back what no channel absorbs: the sky beyond it.
+TEST_P(Stage04Media, WaterWithoutAShoreShowsTheSkyInWhatItDoesNotAbsorb) {
+    Scene scene = one_pixel({0, 0, 3}, {0, 0, 0});
+    scene.background = sky;
+    add_plane(scene, {0, 0, 1}, {0, 0, 0}, glass(c, ior, {0.7, 0, 0.001}));
+    for (const char *each : {stage, "11_full_tracer"}) {
+        SCOPED_TRACE(each);
+        expect_color(draw(each, scene).image, 0, 0, c * sky * (F + (1 - F) * dvec3(0, 1, 0)));
+    }
+}
+
 // Into a thinner ball at 0.8 of its radius: sin₂ = 0.8 / 0.5 is above 1, so all is reflected, and
 // no ray goes in.
 TEST_P(Stage04Energy, ABubbleReflectsAllBeyondTheCriticalAngle) {
