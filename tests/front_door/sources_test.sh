@@ -131,8 +131,8 @@ test_signposts_see() {
     see "02_shading_shadows/kernel.cl: closest_hit.cl is as before, and it says extended"
     sed -i '/#include "shadow.cl"/d' "$copy"/stages/02*/kernel.cl
     see "02_shading_shadows/kernel.cl: shadow.cl is new, and it says nothing"
-    sed -i 's/and 05 (triangles)/and 06 (triangles)/' "$copy/kernels/each_shape.cl"
-    see "kernels/each_shape.cl: its head says 01, 02, 06; expected Introduced by stage 01, 02, 05"
+    sed -i 's/05 (triangles) and/07 (triangles) and/' "$copy/kernels/each_shape.cl"
+    see "kernels/each_shape.cl: its head says 01, 02, 07, 06; expected Introduced by stage 01, 02, 05, 06"
 }
 
 test_show() {
