@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/picture.h"
 
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -81,7 +80,9 @@ void require_texture_size(std::uint64_t width, std::uint64_t height,
 
 Texture read_picture(std::istream &file, const std::filesystem::path &name,
                      const SourceLocation &where) {
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream read;
+    read << file.rdbuf();  // short where the disk fails, which a stream's iterator throws for
+    std::string bytes = std::move(read).str();
     const int orientation = orientation_of(bytes);
     std::istringstream stream(plain(std::move(bytes)));
     const std::unique_ptr<PictureDecoder> decoder = picture_decoder(stream);

@@ -64,7 +64,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Fault{"read:scene.toml", users_mistake, "scene.toml: can't be read"},
                     Fault{"read:cube.obj", users_mistake, "cube.obj: can't be read"},
                     Fault{"read:cube.mtl", users_mistake, "cube.obj: can't be read"},
-                    Fault{"read:cube.png", users_mistake, "cube.png is no"},
                     Fault{"write:.stagelight-", users_mistake,
                           "a.exr: cannot be written: No space left on device"},
                     Fault{"fsync:.stagelight-", users_mistake,
@@ -78,6 +77,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"clEnqueueNDRangeKernel", machines_lack, "try another --device"},
                     Fault{"clFinish", machines_lack, "try another --device"},
                     Fault{"clEnqueueReadBuffer", machines_lack, "try another --device"}));
+
+class Stage06UnreadTexture : public Faults {};
+
+TEST_F(Stage06UnreadTexture, IsAWarning) {
+    const Outcome outcome = draw("read:cube.png", "a.exr");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("cube.png is no"), std::string::npos) << outcome.err;
+    read_picture_file(folder.path() / "a.exr");
+}
 
 class Stage06FullDisk : public Faults {};
 
