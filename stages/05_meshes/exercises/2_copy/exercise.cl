@@ -113,7 +113,7 @@ static Ray to_original(const Ray ray) {
 // kernels/trace.cl
 // #region hit_surface
 // #stub
-            const Surface surface = surface_at(scene, incoming.ray, hit);  // your turn
+            Surface surface = surface_at(scene, incoming.ray, hit);  // your turn
 // #solution
             const bool is_copy = hit.shape == SHAPE_TRIANGLE && hit.index >= scene->triangle_count;
             Hit of_original = hit;
