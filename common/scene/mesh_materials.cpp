@@ -141,6 +141,13 @@ glm::dmat3 transform_of(const aiMaterial &material, aiTextureType type) {
     return std::isfinite(determinant) && determinant != 0 ? all : glm::dmat3(1);
 }
 
+// Assimp's reader of AMF gives vertices without a colour one that is 0 in all four channels.
+bool has_colors(const aiMesh &mesh) {
+    return mesh.HasVertexColors(0)
+           && std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                          [](const aiColor4D &color) { return color != aiColor4D(); });
+}
+
 }  // namespace
 
 MeshMaterials::MeshMaterials(Scene &scene, const MeshFile &meshes, fs::path file,
@@ -154,12 +161,12 @@ Look MeshMaterials::look_of(const aiMesh &mesh) {
     unsigned coordinates = coordinates_of(material);
     coordinates = mesh.HasTextureCoords(coordinates) ? coordinates : 0;
     const std::tuple key{mesh.mMaterialIndex, coordinates, mesh.HasTextureCoords(coordinates),
-                         mesh.HasVertexColors(0)};
+                         has_colors(mesh)};
     if (const auto known = looks_.find(key); known != looks_.end()) {
         return known->second;
     }
     Look look{.coordinates = coordinates,
-              .has_colors = mesh.HasVertexColors(0),
+              .has_colors = has_colors(mesh),
               .are_colors_linear = notes_.is_gltf};
     add(material, mesh.HasTextureCoords(coordinates), look);
     looks_.emplace(key, look);

@@ -126,6 +126,17 @@ TEST_F(MeshFormats, PlyColorsAreSrgb) {
     EXPECT_NEAR(corner(scene, 2, 0).color.r, std::pow((188 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
 }
 
+TEST_F(MeshFormats, AmfWithoutColorsIsWhite) {
+    const Scene scene = load("a.amf", R"(<?xml version="1.0" encoding="UTF-8"?>
+<amf unit="millimeter"><object id="1"><mesh><vertices>
+<vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates></vertex>
+<vertex><coordinates><x>1</x><y>0</y><z>0</z></coordinates></vertex>
+<vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex>
+</vertices><volume><triangle><v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume></mesh></object></amf>
+)");
+    EXPECT_TRUE(is_near(corner(scene, 0, 0).color, glm::dvec3(1)));
+}
+
 // The z axis of the file is up, and its y goes away from the viewer.
 constexpr const char *fbx = R"(; FBX 7.3.0 project file
 FBXHeaderExtension:  {
