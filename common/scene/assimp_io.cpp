@@ -12,8 +12,10 @@
 
 #include "scene/companion_file.h"
 #include "scene/gltf_input.h"
+#include "scene/mtl_input.h"
 #include "scene/obj_input.h"
 #include "scene/ply_input.h"
+#include "scene/text.h"
 
 namespace stagelight {
 namespace {
@@ -145,11 +147,8 @@ Assimp::IOStream *CheckedIOSystem::Open(const char *file, const char *mode) {
 }
 
 std::string file_extension(const std::filesystem::path &file) {
-    std::string extension = file.extension().string();
+    std::string extension = lower_case(file.extension().string());
     extension.erase(0, 1);
-    std::ranges::transform(extension, extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
     return extension;
 }
 

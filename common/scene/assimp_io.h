@@ -23,8 +23,8 @@ struct AssimpFiles {
 };
 
 // Files for Assimp, some of whose readers take what a failing disk has given for all there is, and
-// others read what they should not as it stands: see obj_input.h, gltf_input.h and ply_input.h.
-// What `file` names is found in any letter case and with its %20 decoded.
+// others read what they should not as it stands: see obj_input.h, mtl_input.h, gltf_input.h and
+// ply_input.h. What `file` names is found in any letter case and with its %20 decoded.
 class CheckedIOSystem : public Assimp::IOSystem {
 public:
     // Throws std::invalid_argument, with what was expected, for a file of a kind that can't be read

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/text.h"
+
 namespace stagelight {
 
 namespace fs = std::filesystem;
@@ -25,15 +27,8 @@ bool is_file(const fs::path &path) {
     return fs::is_regular_file(path, unimportant);
 }
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool is_same(const std::string &one, const std::string &other, Case letter_case) {
-    return letter_case == Case::exact ? one == other
-                                      : std::ranges::equal(one, other, [](char a, char b) {
-                                            return lower(a) == lower(b);
-                                        });
+    return letter_case == Case::exact ? one == other : lower_case(one) == lower_case(other);
 }
 
 // RFC 3986, section 2.1: "%20" is a space.

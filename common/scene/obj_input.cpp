@@ -3,65 +3,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "scene/text.h"
 
 namespace stagelight {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f";
-
-// Calls `visit` with each line, without its end.
-template <typename Visit> void for_each_line(std::string_view text, const Visit &visit) {
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        visit(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-}
-
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// Takes the first word off `rest`.
-std::string_view next_word(std::string_view &rest) {
-    rest = without_blanks(rest);
-    const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-    rest.remove_prefix(word.size());
-    return word;
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 // Up to a comment.
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    line = line.substr(0, line.find('#'));
-    for (std::string_view word = next_word(line); !word.empty(); word = next_word(line)) {
-        words.push_back(word);
-    }
-    return words;
-}
-
-std::optional<double> number_of(std::string_view word) {
-    const std::string text(word);
-    char *end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    return !text.empty() && *end == '\0' ? std::optional(value) : std::nullopt;
-}
-
-std::string lower_case(std::string_view word) {
-    std::string lower(word);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    return lower;
+std::vector<std::string_view> words_of_line(std::string_view line) {
+    return words_of(line.substr(0, line.find('#')));
 }
 
 // As many words as there are to be, none of which starts with a point.
@@ -85,10 +40,10 @@ Line kind_of(std::string_view line) {
     if (last != std::string_view::npos && line[last] == '\\') {
         return Line::other;  // Assimp puts such lines together
     }
-    if (blanks.find(line[1]) != std::string_view::npos) {
+    if (is_blank(line[1])) {
         return line[0] == 'v' ? Line::position : Line::face;
     }
-    const bool has_two_letters = line[0] == 'v' && blanks.find(line[2]) != std::string_view::npos;
+    const bool has_two_letters = line[0] == 'v' && is_blank(line[2]);
     return has_two_letters && line[1] == 't'   ? Line::coordinates
            : has_two_letters && line[1] == 'n' ? Line::normal
                                                : Line::other;
@@ -113,31 +68,6 @@ struct Obj {
 
 constexpr std::size_t with_color = 7;  // words of `v x y z r g b`, at least
 
-// Counts words alone: most files are long, and right as they are.
-std::size_t count_words(std::string_view line) {
-    std::size_t count = 0;
-    bool in_word = false;
-    for (const char c : line) {
-        if (c == '#') {
-            break;
-        }
-        const bool is_blank = blanks.find(c) != std::string_view::npos;
-        count += !is_blank && !in_word ? 1 : 0;
-        in_word = !is_blank;
-    }
-    return count;
-}
-
-bool has_leading_point(std::string_view line) {
-    for (std::size_t at = line.find('.'); at != std::string_view::npos;
-         at = line.find('.', at + 1)) {
-        if (blanks.find(line[at - 1]) != std::string_view::npos) {  // a key stands before it
-            return true;
-        }
-    }
-    return false;
-}
-
 // Whether the corners of a face have the same of their indices, and the file what they name.
 bool is_even(const std::vector<Corner> &corners, std::size_t index, const Obj &obj) {
     return obj.counts[index] > 0 && std::ranges::all_of(corners, [&](const Corner &corner) {
@@ -147,7 +77,7 @@ bool is_even(const std::vector<Corner> &corners, std::size_t index, const Obj &o
 
 std::vector<Corner> corners_of(std::string_view line) {
     std::vector<Corner> corners;
-    for (const std::string_view word : words_of(line.substr(1))) {
+    for (const std::string_view word : words_of_line(line.substr(1))) {
         corners.emplace_back(word);
     }
     return corners;
@@ -174,27 +104,8 @@ std::string face(std::string_view line, const Obj &obj) {
     return text;
 }
 
-bool is_right(std::string_view line, const Obj &obj) {
-    const Line kind = kind_of(line);
-    if (kind != Line::other && line.find('#') != std::string_view::npos) {
-        return false;  // Assimp counts a comment's numbers
-    }
-    switch (kind) {
-    case Line::position:
-        return count_words(line) == (obj.has_colors ? with_color : 4) && !has_leading_point(line);
-    case Line::coordinates: {
-        const std::size_t words = count_words(line);
-        return (words == 3 || words == 4) && !has_leading_point(line);
-    }
-    case Line::face:
-        return false;
-    default:
-        return true;
-    }
-}
-
 std::string right(std::string_view line, const Obj &obj) {
-    const std::vector<std::string_view> words = words_of(line);
+    const std::vector<std::string_view> words = words_of_line(line);
     switch (kind_of(line)) {
     case Line::position:
         return numbers(words, 3)
@@ -208,14 +119,6 @@ std::string right(std::string_view line, const Obj &obj) {
     default:
         return face(line, obj);
     }
-}
-
-}  // namespace
-
-namespace {
-
-bool is_blank(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 // What one look at each byte tells of a file: most are long, and right as they are.
@@ -319,150 +222,10 @@ std::optional<std::string> prepared_obj(std::string_view text, MeshNotes &notes)
     std::string prepared;
     for_each_line(text, [&](std::string_view line) {
         line = without_blanks(line);
-        prepared += is_right(line, obj) ? std::string(line) : right(line, obj);
+        prepared += kind_of(line) == Line::other ? std::string(line) : right(line, obj);
         prepared += '\n';
     });
     return prepared;
-}
-
-namespace {
-
-// What a line `map_Kd [options] file` says.
-struct Map {
-    glm::dvec3 offset{0, 0, 0};
-    glm::dvec3 scale{1, 1, 1};
-    bool is_clamped = false;
-    std::string_view file;
-};
-
-// -o and -s take one to three numbers.
-void take_numbers(std::string_view &rest, glm::dvec3 &values) {
-    for (int i = 0; i < 3; ++i) {
-        std::string_view after = rest;
-        const std::optional<double> value = number_of(next_word(after));
-        if (!value || without_blanks(after).empty()) {  // a file may have a number for its name
-            break;
-        }
-        values[i] = *value;
-        rest = after;
-    }
-}
-
-Map map_of(std::string_view rest) {
-    Map map;
-    for (;;) {
-        std::string_view after = rest;
-        const std::string option = lower_case(next_word(after));
-        if (option.size() < 2 || option[0] != '-') {
-            break;
-        }
-        rest = after;
-        glm::dvec3 unused(0);
-        if (option == "-o" || option == "-s" || option == "-t") {
-            take_numbers(rest, option == "-o" ? map.offset : option == "-s" ? map.scale : unused);
-        } else if (option == "-mm") {
-            next_word(rest);
-            next_word(rest);
-        } else {
-            const std::string_view value = next_word(rest);
-            map.is_clamped = map.is_clamped || (option == "-clamp" && lower_case(value) == "on");
-        }
-    }
-    map.file = without_blanks(rest);
-    return map;
-}
-
-// v goes up in MTL, and down for us.
-glm::dmat3 transform_of(const Map &map) {
-    return {map.scale.x,
-            0,
-            0,  //
-            0,
-            map.scale.y,
-            0,  //
-            map.offset.x,
-            1 - map.scale.y - map.offset.y,
-            1};
-}
-
-struct Mtl {
-    std::string text;
-    std::optional<std::string> name;  // none before the first
-    // Some programs write Tr for d: where there is a d, it is believed.
-    std::optional<double> opacity, transparency;
-    bool has_texture = false;  // of colours
-
-    void end_material() {
-        if (opacity || transparency) {
-            text += fmt::format("d {}\n", opacity ? *opacity : 1 - *transparency);
-        }
-        opacity.reset();
-        transparency.reset();
-        has_texture = false;
-    }
-};
-
-// Red alone stands for a grey.
-std::string color_line(const std::vector<std::string_view> &words) {
-    std::vector<double> values;
-    for (std::size_t i = 1; i < words.size() && i <= 3; ++i) {
-        if (const std::optional<double> value = number_of(words[i])) {
-            values.push_back(*value);
-        }
-    }
-    if (values.empty() || values.size() + 1 < std::min<std::size_t>(words.size(), 4)) {
-        return "";  // spectral curves, and what is no colour at all
-    }
-    values.resize(3, values.back());
-    return fmt::format("Kd {} {} {}\n", values[0], values[1], values[2]);
-}
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> not_drawn{
-    {{"map_bump", "a bump map"},
-     {"bump", "a bump map"},
-     {"map_kn", "a normal map"},
-     {"norm", "a normal map"},
-     {"disp", "a displacement map"},
-     {"map_disp", "a displacement map"},
-     {"map_ks", "a map of reflections"},
-     {"refl", "a map of reflections"},
-     {"map_ke", "a map of its own light"},
-     {"map_emissive", "a map of its own light"}}};
-
-}  // namespace
-
-std::string prepared_mtl(std::string_view text, MeshNotes &notes) {
-    Mtl mtl;
-    for_each_line(text, [&](std::string_view line) {
-        std::string_view rest = line;
-        const std::string key = lower_case(next_word(rest));
-        if (key == "newmtl") {
-            mtl.end_material();
-            mtl.name = without_blanks(rest);
-            mtl.text += fmt::format("newmtl {}\n", *mtl.name);
-        } else if (!mtl.name) {  // of no material
-        } else if (key == "kd") {
-            mtl.text += color_line(words_of(line));
-        } else if (key == "d") {
-            mtl.opacity = number_of(next_word(rest));  // none for `d -halo 0.5`
-        } else if (key == "tr") {
-            mtl.transparency = number_of(next_word(rest));
-        } else if (key == "map_kd" || key == "map_d") {
-            const Map map = map_of(rest);
-            if (key == "map_kd" || !mtl.has_texture) {  // a mask alone is its own texture
-                notes.materials[*mtl.name].texture_transform = transform_of(map);
-            }
-            mtl.has_texture = mtl.has_texture || key == "map_kd";
-            mtl.text += fmt::format("{}{} {}\n", key == "map_d" ? "map_d" : "map_Kd",
-                                    map.is_clamped ? " -clamp on" : "", map.file);
-        } else if (const auto *found =
-                       std::ranges::find(not_drawn, key, &decltype(not_drawn)::value_type::first);
-                   found != not_drawn.end()) {
-            notes.materials[*mtl.name].not_drawn.emplace(found->second);
-        }
-    });
-    mtl.end_material();
-    return mtl.text + "# Assimp refuses 15 bytes and less\n";
 }
 
 }  // namespace stagelight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OBJ and MTL files as other viewers read them, written so that Assimp's reader does the same.
+// OBJ files as other viewers read them, written so that Assimp's reader does the same.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,5 @@ namespace stagelight {
 // dropped); faces name no texture coordinates or normals that some corner of them, or the file,
 // lacks.
 std::optional<std::string> prepared_obj(std::string_view text, MeshNotes &notes);
-
-// The materials' names, Kd, d and pictures of colour and alpha: all that a picture shows. What
-// else they say, and how textures are moved (-o, -s), goes to `notes`.
-std::string prepared_mtl(std::string_view text, MeshNotes &notes);
 
 }  // namespace stagelight

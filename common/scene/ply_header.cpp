@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "scene/text.h"
+
 namespace stagelight {
 namespace {
 
@@ -43,18 +45,6 @@ std::string_view take_line(std::string_view &bytes) {
     bytes.remove_prefix(length);
     bytes.remove_prefix(bytes.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, bytes.size()));
     return line;
-}
-
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    for (;;) {
-        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-        if (line.empty()) {
-            return words;
-        }
-        words.push_back(line.substr(0, line.find_first_of(" \t")));
-        line.remove_prefix(words.back().size());
-    }
 }
 
 // In bytes; 0 for a type that PLY does not have.
