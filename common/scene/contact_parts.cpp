@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/dielectrics.h"
+#include "scene/disjoint_sets.h"
 #include "scene/edge_graph.h"
 #include "scene/mesh_surface.h"
 #include "scene/places.h"
@@ -14,19 +15,6 @@ namespace stagelight {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
-
-std::uint32_t root_of(std::vector<std::uint32_t> &root, std::uint32_t triangle) {
-    while (root[triangle] != triangle) {
-        triangle = root[triangle] = root[root[triangle]];
-    }
-    return triangle;
-}
-
-// The lesser one becomes the root.
-void join(std::vector<std::uint32_t> &root, std::uint32_t a, std::uint32_t b) {
-    const auto [low, high] = std::minmax({root_of(root, a), root_of(root, b)});
-    root[high] = low;
-}
 
 }  // namespace
 

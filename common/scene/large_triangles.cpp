@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 
 #include "scene/box_tree.h"
+#include "scene/disjoint_sets.h"
 #include "scene/places.h"
 
 namespace stagelight {
@@ -41,19 +42,11 @@ struct Object {
     int part = -1;  // of the meshes' connected parts; a part does not cut itself
 };
 
-std::uint32_t root_of(std::vector<std::uint32_t> &root, std::uint32_t of) {
-    while (root[of] != of) {
-        of = root[of] = root[root[of]];
-    }
-    return of;
-}
-
 // The triangle's places become one part.
-void join(std::vector<std::uint32_t> &root, const std::vector<std::uint32_t> &places,
-          const Triangle &triangle) {
+void join_corners(std::vector<std::uint32_t> &root, const std::vector<std::uint32_t> &places,
+                  const Triangle &triangle) {
     for (const std::size_t corner : {1U, 2U}) {
-        root[root_of(root, places[triangle.vertices[corner]])] =
-            root_of(root, places[triangle.vertices[0]]);
+        join(root, places[triangle.vertices[0]], places[triangle.vertices[corner]]);
     }
 }
 
@@ -63,7 +56,7 @@ std::vector<std::uint32_t> parts_of_triangles(const Scene &scene) {
     std::vector<std::uint32_t> root(places.size());
     std::iota(root.begin(), root.end(), 0u);
     for (const Triangle &triangle : scene.triangles) {
-        join(root, places, triangle);
+        join_corners(root, places, triangle);
     }
     std::vector<std::uint32_t> parts;
     for (const Triangle &triangle : scene.triangles) {
@@ -286,7 +279,7 @@ double smallest_part(const Scene &scene, const std::vector<double> &sizes, doubl
     std::vector<std::uint32_t> root(places.size());
     std::iota(root.begin(), root.end(), 0U);
     for (const std::uint32_t triangle : smaller) {
-        join(root, places, scene.triangles[triangle]);
+        join_corners(root, places, scene.triangles[triangle]);
     }
     std::map<std::uint32_t, Box> parts;
     for (const std::uint32_t triangle : smaller) {
