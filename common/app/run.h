@@ -61,9 +61,7 @@ struct RunResult {
 // So that the device takes the scene's textures.
 inline void fit_textures(Run &run, const cl::Device &device) {
     const Transfer decode = decode_of(stage_number(run.stage), run.settings.methods);
-    for (const std::string &line : fit_textures(run.scene, texture_limits(device), decode)) {
-        warn(line);
-    }
+    warn(fit_textures(run.scene, texture_limits(device), decode));
 }
 
 // What draws, a Renderer or a FramePipeline: `make` makes it of the first of the devices that

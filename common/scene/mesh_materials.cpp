@@ -20,7 +20,6 @@
 #include "scene/errors.h"
 #include "scene/picture.h"
 #include "scene/texture_alpha.h"
-#include "scene/texture_set.h"
 
 namespace stagelight {
 
@@ -122,6 +121,11 @@ Wrap wrap_of(const aiMaterial &material, const char *key, unsigned type, unsigne
     }
 }
 
+Wraps wraps_of(const aiMaterial &material, aiTextureType type) {
+    return {wrap_of(material, AI_MATKEY_MAPPINGMODE_U(type, 0)),
+            wrap_of(material, AI_MATKEY_MAPPINGMODE_V(type, 0))};
+}
+
 // Assimp scales, turns about the middle of the picture and moves, v going up.
 glm::dmat3 transform_of(const aiMaterial &material, aiTextureType type) {
     aiUVTransform transform;
@@ -160,14 +164,14 @@ Look MeshMaterials::look_of(const aiMesh &mesh) {
     const aiMaterial &material = *meshes_.mMaterials[mesh.mMaterialIndex];
     unsigned coordinates = coordinates_of(material);
     coordinates = mesh.HasTextureCoords(coordinates) ? coordinates : 0;
+    const bool is_colored = has_colors(mesh);
     const std::tuple key{mesh.mMaterialIndex, coordinates, mesh.HasTextureCoords(coordinates),
-                         has_colors(mesh)};
+                         is_colored};
     if (const auto known = looks_.find(key); known != looks_.end()) {
         return known->second;
     }
-    Look look{.coordinates = coordinates,
-              .has_colors = has_colors(mesh),
-              .are_colors_linear = notes_.is_gltf};
+    Look look{
+        .coordinates = coordinates, .has_colors = is_colored, .are_colors_linear = notes_.is_gltf};
     add(material, mesh.HasTextureCoords(coordinates), look);
     looks_.emplace(key, look);
     return look;
@@ -204,7 +208,7 @@ int MeshMaterials::texture_of(const aiMaterial &material, Look &look) {
         aiString found;
         if (texture == no_texture && material.GetTexture(type, 0, &found) == aiReturn_SUCCESS
             && found.length > 0) {
-            texture = load(found);
+            texture = load(found, wraps_of(material, type));
             used = type;
             name = found;
         }
@@ -215,63 +219,38 @@ int MeshMaterials::texture_of(const aiMaterial &material, Look &look) {
     aiString mask;
     if (material.GetTexture(aiTextureType_OPACITY, 0, &mask) == aiReturn_SUCCESS && mask.length > 0
         && mask != name) {
-        if (texture == no_texture) {
-            used = aiTextureType_OPACITY;
-        }
-        texture = with_mask(texture, name, mask, known_textures);
-    }
-    if (texture != no_texture) {
-        texture = with_wrap(texture, wrap_of(material, AI_MATKEY_MAPPINGMODE_U(used, 0)),
-                            wrap_of(material, AI_MATKEY_MAPPINGMODE_V(used, 0)), known_textures);
+        used = texture == no_texture ? aiTextureType_OPACITY : used;
+        texture = with_mask(texture, name, mask, wraps_of(material, used), known_textures);
     }
     return texture;
 }
 
-// One that was not there before, from `known_textures` on, is changed; any other is copied.
-int MeshMaterials::with_wrap(int texture, Wrap wrap_u, Wrap wrap_v, std::size_t known_textures) {
-    std::vector<Texture> &textures = scene_.textures;
-    const fs::path file = textures[static_cast<std::size_t>(texture)].file;
-    const auto same = std::ranges::find_if(textures, [&](const Texture &each) {
-        return each.file == file && each.wrap_u == wrap_u && each.wrap_v == wrap_v;
-    });
-    if (same != textures.end()) {
-        return static_cast<int>(same - textures.begin());
-    }
-    auto index = static_cast<std::size_t>(texture);
-    if (index < known_textures) {
-        Texture copy = textures[index];
-        textures.push_back(std::move(copy));
-        index = textures.size() - 1;
-    }
-    textures[index].wrap_u = wrap_u;
-    textures[index].wrap_v = wrap_v;
-    return static_cast<int>(index);
-}
-
-// Without a texture of colours, the mask's is white.
-int MeshMaterials::with_mask(int texture, const aiString &color, const aiString &mask,
+// Without a texture of colours, the mask's is white. Those from `known_textures` on are of use no
+// more once the two are put together.
+int MeshMaterials::with_mask(int texture, const aiString &color, const aiString &mask, Wraps wraps,
                              std::size_t known_textures) {
     std::vector<Texture> &textures = scene_.textures;
+    Texture masked;
     fs::path &file = masked_[{color.C_Str(), mask.C_Str()}];
-    const auto same = std::ranges::find(textures, file, &Texture::file);
-    if (!file.empty() && same != textures.end()) {
-        return static_cast<int>(same - textures.begin());
+    if (file.empty()) {
+        const int loaded = load(mask, wraps);
+        if (loaded == no_texture) {
+            return texture;
+        }
+        const Texture of_alpha = textures[static_cast<std::size_t>(loaded)];
+        Texture of_color = of_alpha;
+        of_color.texels.assign(of_color.texels.size(), 255);
+        of_color.file = "white";
+        if (texture != no_texture) {
+            of_color = textures[static_cast<std::size_t>(texture)];
+        }
+        masked = with_alpha(of_color, of_alpha);
+        file = of_color.file.string() + " with the alpha of " + of_alpha.file.string();
+        masked.file = file;
     }
-    const int loaded = load(mask);
-    if (loaded == no_texture) {
-        return texture;
-    }
-    const Texture of_alpha = textures[static_cast<std::size_t>(loaded)];
-    Texture white = of_alpha;
-    white.texels.assign(white.texels.size(), 255);
-    Texture masked = with_alpha(
-        texture == no_texture ? white : textures[static_cast<std::size_t>(texture)], of_alpha);
-    file = (texture == no_texture ? fs::path("white") : masked.file).string()
-           + " with the alpha of " + of_alpha.file.string();
-    masked.file = file;
-    textures.resize(known_textures);  // the two are of use no more, if only this asked for them
-    textures.push_back(std::move(masked));
-    return static_cast<int>(textures.size() - 1);
+    textures.resize(known_textures);
+    return texture_once(
+        textures, file, [&] { return masked; }, wraps);
 }
 
 bool MeshMaterials::is_seen(const aiMaterial &material) {
@@ -354,7 +333,7 @@ void MeshMaterials::warn() {
     warnings_.clear();
 }
 
-int MeshMaterials::load(const aiString &texture) {
+int MeshMaterials::load(const aiString &texture, Wraps wraps) {
     const std::string name = texture.C_Str();
     if (failed_.contains(name)) {
         return no_texture;
@@ -363,7 +342,8 @@ int MeshMaterials::load(const aiString &texture) {
     try {
         // No structured binding: Clang 14 lets no lambda have one.
         const std::pair found = meshes_.GetEmbeddedTextureAndIndex(name.c_str());
-        index = found.first ? load_embedded(*found.first, found.second) : load_file(name);
+        index =
+            found.first ? load_embedded(*found.first, found.second, wraps) : load_file(name, wraps);
     } catch (const UserError &error) {
         unreadable_.emplace_back(error.what());
     }
@@ -373,13 +353,13 @@ int MeshMaterials::load(const aiString &texture) {
     return index;
 }
 
-int MeshMaterials::load_embedded(const aiTexture &texture, int index) {
+int MeshMaterials::load_embedded(const aiTexture &texture, int index, Wraps wraps) {
     const fs::path name = fs::canonical(file_).string() + '*' + std::to_string(index);
-    return texture_once(scene_.textures, name,
-                        [&] { return read_embedded(texture, name, in_mesh()); });
+    return texture_once(
+        scene_.textures, name, [&] { return read_embedded(texture, name, in_mesh()); }, wraps);
 }
 
-int MeshMaterials::load_file(const std::string &name) {
+int MeshMaterials::load_file(const std::string &name, Wraps wraps) {
     if (name.starts_with('$')) {  // Assimp's, as "$texture_dummy.bmp", where the file names none
         return no_texture;
     }
@@ -388,7 +368,7 @@ int MeshMaterials::load_file(const std::string &name) {
         missing_.push_back(name);
         return no_texture;
     }
-    return load_texture(scene_.textures, *found, in_mesh());
+    return load_texture(scene_.textures, *found, in_mesh(), wraps);
 }
 
 SourceLocation MeshMaterials::in_mesh() const {

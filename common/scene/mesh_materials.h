@@ -15,6 +15,7 @@
 
 #include "scene/mesh_file.h"
 #include "scene/scene.h"
+#include "scene/texture_set.h"
 
 namespace stagelight {
 
@@ -45,16 +46,15 @@ public:
 private:
     void add(const aiMaterial &material, bool with_texture, Look &look);
     int texture_of(const aiMaterial &material, Look &look);
-    int with_wrap(int texture, Wrap wrap_u, Wrap wrap_v, std::size_t known_textures);
-    int with_mask(int texture, const aiString &color, const aiString &mask,
+    int with_mask(int texture, const aiString &color, const aiString &mask, Wraps wraps,
                   std::size_t known_textures);
     bool is_seen(const aiMaterial &material);
     void set_alpha(const aiMaterial &material, Material &added);
     void note_what_is_lost(const aiMaterial &material);
     void warn_of_pictures() const;
-    int load(const aiString &texture);
-    int load_file(const std::string &name);
-    int load_embedded(const aiTexture &texture, int index);
+    int load(const aiString &texture, Wraps wraps);
+    int load_file(const std::string &name, Wraps wraps);
+    int load_embedded(const aiTexture &texture, int index, Wraps wraps);
     SourceLocation in_mesh() const;
 
     Scene &scene_;
