@@ -15,7 +15,7 @@ An exercise of a stage is a folder stages/NN_name/exercises/K_title with
 A core exercise, stages/NN_name/core/K_title, asks for a function of the course itself, in the chapter's order. Its
 exercise.cl has stubs only: the solution is what the kernels have in these regions. Its test.py has MISTAKES that
 students make, each a text of these regions, what takes its place, and a sentence that tells the student of it.
-An attempt whose picture is that of such a mistake gets the sentence.
+An attempt whose picture is that of such a mistake gets the sentence. Scenes of several are in core_scenes.py.
 The student works on work/NN_name/K_title.cl, or title.cl of a core exercise. Git ignores work. The file begins as the
 stub, without the solution. STAGE K names an exercise, K being its number or title; a core exercise has a title only.
 An attempt is the stage's program with the kernels in which these regions are replaced. What its pictures
@@ -360,6 +360,11 @@ class Attempt:
             raise DoesNotRun(f"the program does not end within {LIMIT} s") from None
         if done.returncode:
             raise DoesNotRun(done.stderr.strip() or f"the program ended with {done.returncode} and no word: a crash")
+
+    def expect_each(self, scenes, truth):
+        """Of each scene, which comes with what it is in words, the picture that truth(scene) works out."""
+        for scene, what in scenes:
+            self.expect_same(self.render(scene=scene), truth(scene), what)
 
     def expect_same(self, picture, expected, what, tolerance=2e-3, strays=0.01):
         """Each pixel within the tolerance, but for a share of strays: float and double part at edges. All three

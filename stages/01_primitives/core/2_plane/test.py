@@ -47,8 +47,9 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + PLANES + BALL, "two planes and a sphere"),
-                        (EYE + PLANES, "two planes alone"),
-                        (EYE + IN_THE_EYE + BALL, "a plane that the eye lies in"),
-                        (EYE + BALL, "a sphere alone")):
-        attempt.expect_same(attempt.render(scene=scene), first_hits(scene), what)
+    attempt.expect_each([
+        (EYE + PLANES + BALL, "two planes and a sphere"),
+        (EYE + PLANES, "two planes alone"),
+        (EYE + IN_THE_EYE + BALL, "a plane that the eye lies in"),
+        (EYE + BALL, "a sphere alone"),
+    ], first_hits)

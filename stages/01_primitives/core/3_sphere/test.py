@@ -56,8 +56,9 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + BALLS + AROUND + GROUND, "spheres, one behind the eye and one around it"),
-                        (EYE + BALLS + GROUND, "spheres, one of them behind the eye"),
-                        (EYE + BALLS, "spheres without a plane"),
-                        (EYE + GROUND, "a plane without spheres")):
-        attempt.expect_same(attempt.render(scene=scene), first_hits(scene), what)
+    attempt.expect_each([
+        (EYE + BALLS + AROUND + GROUND, "spheres, one behind the eye and one around it"),
+        (EYE + BALLS + GROUND, "spheres, one of them behind the eye"),
+        (EYE + BALLS, "spheres without a plane"),
+        (EYE + GROUND, "a plane without spheres"),
+    ], first_hits)

@@ -55,8 +55,9 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + BALLS + PLANES, "spheres and planes"),
-                        (EYE + BALLS, "spheres alone"),
-                        (EYE + PLANES, "planes alone"),
-                        (EYE + "\n", "nothing at all")):
-        attempt.expect_same(attempt.render(scene=scene), first_hits(scene), what)
+    attempt.expect_each([
+        (EYE + BALLS + PLANES, "spheres and planes"),
+        (EYE + BALLS, "spheres alone"),
+        (EYE + PLANES, "planes alone"),
+        (EYE + "\n", "nothing at all"),
+    ], first_hits)

@@ -1,18 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A lamp without a range, and one whose range ends in the picture, on planes and spheres."""
+from core_scenes import LIT_EYE
 from exercises import traced
 
-EYE = """
-[camera]
-position = [0, 1.6, 5]
-look_at = [0, 0.7, 0]
-fov = 60
-[background]
-color = [0.1, 0.2, 0.3]
-[materials.red]
-type = "diffuse"
-color = [0.9, 0.4, 0.3]
-"""
 BALLS = """[[spheres]]
 center = [-0.8, 0.8, 0]
 radius = 0.8
@@ -49,8 +39,9 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + GROUND + BALLS + LAMP + RANGE, "a lamp with a range"),
-                        (EYE + GROUND + BALLS + LAMP, "a lamp without a range"),
-                        (EYE + BALLS + LAMP + RANGE, "a sphere alone"),
-                        (EYE + GROUND + LAMP + RANGE, "a plane alone")):
-        attempt.expect_same(attempt.render(scene=scene), traced(scene), what)
+    attempt.expect_each([
+        (LIT_EYE + GROUND + BALLS + LAMP + RANGE, "a lamp with a range"),
+        (LIT_EYE + GROUND + BALLS + LAMP, "a lamp without a range"),
+        (LIT_EYE + BALLS + LAMP + RANGE, "a sphere alone"),
+        (LIT_EYE + GROUND + LAMP + RANGE, "a plane alone"),
+    ], traced)

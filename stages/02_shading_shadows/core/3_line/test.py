@@ -1,18 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Spheres before, behind and around a lamp and what it lights."""
+from core_scenes import LIT_EYE
 from exercises import traced
 
-EYE = """
-[camera]
-position = [0, 1.6, 5]
-look_at = [0, 0.7, 0]
-fov = 60
-[background]
-color = [0.1, 0.2, 0.3]
-[materials.red]
-type = "diffuse"
-color = [0.9, 0.4, 0.3]
-"""
 BALLS = """[[spheres]]
 center = [0.4, 0.9, 0.4]
 radius = 0.4
@@ -70,9 +60,10 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + GROUND + BALLS + LAMP, "small spheres, of which not all are in the way"),
-                        (EYE + GROUND + BALLS + AROUND_ALL + LAMP, "a sphere around all"),
-                        (EYE + GROUND + BALLS + AROUND_THE_LAMP + LAMP, "a sphere around the lamp"),
-                        (EYE + BALLS + LAMP, "spheres without planes"),
-                        (EYE + GROUND + LAMP, "planes without spheres")):
-        attempt.expect_same(attempt.render(scene=scene), traced(scene), what)
+    attempt.expect_each([
+        (LIT_EYE + GROUND + BALLS + LAMP, "small spheres, of which not all are in the way"),
+        (LIT_EYE + GROUND + BALLS + AROUND_ALL + LAMP, "a sphere around all"),
+        (LIT_EYE + GROUND + BALLS + AROUND_THE_LAMP + LAMP, "a sphere around the lamp"),
+        (LIT_EYE + BALLS + LAMP, "spheres without planes"),
+        (LIT_EYE + GROUND + LAMP, "planes without spheres"),
+    ], traced)

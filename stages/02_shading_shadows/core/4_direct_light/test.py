@@ -1,26 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Two lights, with a wall that has one of them behind it; without spheres, planes or lights."""
+from core_scenes import LIT_BALLS, LIT_EYE, LIT_LIGHTS
 from exercises import traced
 
-EYE = """
-[camera]
-position = [0, 1.6, 5]
-look_at = [0, 0.7, 0]
-fov = 60
-[background]
-color = [0.1, 0.2, 0.3]
-[materials.red]
-type = "diffuse"
-color = [0.9, 0.4, 0.3]
-"""
-BALLS = """[[spheres]]
-center = [-0.8, 0.8, 0]
-radius = 0.8
-material = "red"
-[[spheres]]
-center = [1, 0.5, 0.5]
-radius = 0.5
-"""
 GROUND = """[[planes]]
 normal = [0, 1, 0]
 point = [0, 0, 0]
@@ -28,15 +10,6 @@ material = "red"
 [[planes]]
 normal = [0, 0, 1]
 point = [0, 0, -2]
-"""
-LIGHTS = """[[lights]]
-type = "point"
-position = [2, 3, 3]
-intensity = 6
-[[lights]]
-type = "directional"
-direction = [0.6, -1, 0.7]
-color = [0.2, 0.3, 0.4]
 """
 
 SHADOW = "!in_shadow(scene, light, offset_ray_origin(surface, illumination.direction))"
@@ -61,8 +34,9 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + GROUND + BALLS + LIGHTS, "spheres and planes in two lights"),
-                        (EYE + BALLS + LIGHTS, "spheres alone"),
-                        (EYE + GROUND + LIGHTS, "planes alone"),
-                        (EYE + BALLS + GROUND, "no light at all")):
-        attempt.expect_same(attempt.render(scene=scene), traced(scene), what)
+    attempt.expect_each([
+        (LIT_EYE + GROUND + LIT_BALLS + LIT_LIGHTS, "spheres and planes in two lights"),
+        (LIT_EYE + LIT_BALLS + LIT_LIGHTS, "spheres alone"),
+        (LIT_EYE + GROUND + LIT_LIGHTS, "planes alone"),
+        (LIT_EYE + LIT_BALLS + GROUND, "no light at all"),
+    ], traced)

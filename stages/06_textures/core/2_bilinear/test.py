@@ -1,48 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A picture of few texels around a sphere, blended in double."""
-import numpy as np
-from exercises import bilinear, closest, light_at, rays, texels_of
+from core_scenes import PICTURE_SCENES, pictured
 
 OPTIONS = ["--method", "filtering=hand"]
-EYE = """
-[camera]
-position = [%s]
-look_at = [0, 0, 0]
-fov = 50
-[background]
-color = [0.1, 0.2, 0.3]
-[materials.picture]
-type = "diffuse"
-texture = "gradient.png"
-[[spheres]]
-center = [0, 0, 0]
-radius = 1
-material = "picture"
-[[lights]]
-type = "directional"
-direction = [%s]
-"""
-FRONT = EYE % ("0.6, 0.5, 2.9", "-0.5, -0.3, -1")
-BACK = EYE % ("0.4, 0.3, -2.9", "-0.3, -0.3, 1")
-POLE = EYE % ("0.3, 2.9, 0.3", "-0.3, -1, -0.2")
-GROUND = """[[planes]]
-normal = [0, 1, 0]
-point = [0, -1, 0]
-"""
-
-
-def expected(scene):
-    """What a sphere around the world's origin shows of its picture, in light."""
-    eye, direction = rays(scene)
-    distance, normal, index = closest(scene, eye, direction)
-    q = np.where(index[..., None] == 0, normal, [0.0, 0, 1])
-    u = 0.5 + np.arctan2(q[..., 0], q[..., 2]) / (2 * np.pi)
-    v = 0.5 - np.arcsin(np.clip(q[..., 1], -1, 1)) / np.pi
-    color = np.where(index[..., None] == 0, bilinear(texels_of("gradient.png"), u, v), 1)
-    seen = np.isfinite(distance)
-    color[seen] *= light_at(scene, (eye + np.where(seen, distance, 0)[..., None] * direction)[seen], normal[seen])
-    return np.where(seen[..., None], color, [0.1, 0.2, 0.3])
-
 
 BLEND = "mix(mix(a, b, share.x), mix(c, d, share.x), share.y)"
 HALF = "floor(texel - 0.5f);\n    const float2 share = texel - 0.5f - low;"
@@ -65,6 +25,4 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((FRONT, "the front of a sphere"), (BACK + GROUND, "its back, where the edges of the picture meet"),
-                        (POLE, "its north pole")):
-        attempt.expect_same(attempt.render(scene=scene), expected(scene), what)
+    attempt.expect_each(PICTURE_SCENES, pictured)

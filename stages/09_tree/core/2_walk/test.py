@@ -1,40 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Many spheres, each of them tried, in double: no tree at all."""
+from core_scenes import TREE_SCENES
 from exercises import traced
 
-EYE = """
-[camera]
-position = [0.3, 1.2, 4.5]
-look_at = [0, 0.7, 0]
-fov = 60
-[background]
-color = [0.1, 0.2, 0.3]
-"""
-PLACES = [(x, y, z) for x in (-1.5, -0.5, 0.5, 1.5) for y in (0.3, 1.2) for z in (-1, 0.4)]
-BALLS = "".join(f"""[[spheres]]
-center = [{x + 0.1 * z}, {y}, {z}]
-radius = {0.3 + 0.05 * y}
-""" for x, y, z in PLACES)
-NEAR_THE_EYE = """[[spheres]]
-center = [0.6, 1.3, 4.9]
-radius = 0.3
-[[spheres]]
-center = [-0.3, 1, 4.1]
-radius = 0.05
-"""
-GROUND = """[[planes]]
-normal = [0, 1, 0]
-point = [0, 0, 0]
-"""
-LIGHTS = """[[lights]]
-type = "point"
-position = [1, 3, 3]
-intensity = 6
-[[lights]]
-type = "directional"
-direction = [0.6, -1, -0.7]
-color = [0.2, 0.3, 0.4]
-"""
 LEAF = "try_leaf(scene, ray, node->first[child], node->count[child], closest);"
 MISTAKES = [
     ("child < 4", "child < 3",
@@ -53,8 +21,4 @@ MISTAKES = [
 
 
 def check(attempt):
-    for scene, what in ((EYE + BALLS + GROUND + LIGHTS, "sixteen spheres on a plane"),
-                        (EYE + BALLS + NEAR_THE_EYE + LIGHTS, "spheres before, beside and behind the eye"),
-                        (EYE + GROUND + LIGHTS, "a plane alone, which is in no tree"),
-                        (EYE + BALLS + GROUND, "no light at all")):
-        attempt.expect_same(attempt.render(scene=scene), traced(scene), what)
+    attempt.expect_each(TREE_SCENES, traced)
